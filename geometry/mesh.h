@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace ballonet::geometry
+{
+
+using Point = std::array<double, 3>; ///< mm
+
+/// A face of the mesh: cell index and local face number in deal.II order (0: x-, 1: x+, 2: y-, 3: y+, 4: z-, 5: z+ of
+/// the cell's own reference coordinates).
+struct Face {
+  std::uint32_t cell;
+  std::uint32_t local;
+};
+
+/// A named set of faces. A face may belong to several surfaces.
+struct Surface {
+  std::string name;
+  std::vector<Face> faces;
+};
+
+/// A named set of cells; every cell belongs to exactly one body.
+struct Body {
+  std::string name;
+};
+
+/// What the quality rule measured.
+struct Quality {
+  double smallest_scaled_jacobian = 0; ///< over cells and 27 Gauss points: min det J / max det J within the cell
+  double largest_aspect_ratio = 0;     ///< over cells: longest over shortest of the three mean edge lengths
+  std::size_t worst_cell = 0;          ///< where smallest_scaled_jacobian was found
+  std::size_t longest_cell = 0;        ///< where largest_aspect_ratio was found
+};
+
+/// A mesh of 27-node hexahedra in plain arrays (lengths in mm).
+struct Mesh {
+  std::vector<Point> nodes;
+  /// Node numbers of each cell, lexicographic: local node i + 3 j + 9 k sits at reference point (i, j, k) / 2.
+  std::vector<std::array<std::uint32_t, 27>> cells;
+  std::vector<std::uint32_t> cell_body; ///< index into bodies, one per cell
+  std::vector<Body> bodies;
+  std::vector<Surface> surfaces;
+  Quality quality;
+};
+
+} // namespace ballonet::geometry

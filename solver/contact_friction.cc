@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "solver/contact_friction.h"
+#include <cmath>
+#include <deal.II/base/symmetric_tensor.h>
+
+namespace ballonet::solver::contact
+{
+
+namespace
+{
+
+using CellWeights = std::array<double, 27>;
+
+/// Values of the 27 shape functions (or a derivative) from those along the columns and into the depth.
+CellWeights product(const PrimaryPatch &patch, const std::array<double, 9> &in_plane,
+                    const std::array<double, 3> &depth)
+{
+  const auto &column = columns_behind(patch.face.local);
+  CellWeights weights;
+  for (int c = 0; c < 9; ++c)
+    for (int k = 0; k < 3; ++k)
+      weights[column[3 * c + k]] = in_plane[c] * depth[k];
+  return weights;
+}
+
+template <class Field>
+Point3 sum(const PrimaryPatch &patch, const CellWeights &weights, const Field &field)
+{
+  Point3 value;
+  for (int b = 0; b < 27; ++b)
+    value += weights[b] * field(patch.cell_nodes[b]);
+  return value;
+}
+
+/// Weights of the material point that lies at y(xi) + r: y + sum c_k g_k with the base vectors g_k of the cell there.
+CellWeights touched_material(const PrimaryPatch &patch, const Parameters2 &xi, const Point3 &r,
+                             const CurrentPosition &position)
+{
+  const PatchShapes shapes = patch_shapes(xi);
+  const auto slope = quadratic_slope(patch.depth_fraction);
+  const std::array<CellWeights, 3> derivative = {product(patch, shapes.derivative[0], patch.layer_weight),
+                                                 product(patch, shapes.derivative[1], patch.layer_weight),
+                                                 product(patch, shapes.value, slope)};
+  dealii::Tensor<2, 3> base; // columns are the base vectors
+  for (int k = 0; k < 3; ++k) {
+    const Point3 g = sum(patch, derivative[k], position);
+    for (int i = 0; i < 3; ++i)
+      base[i][k] = g[i];
+  }
+  CellWeights weights = product(patch, shapes.value, patch.layer_weight);
+  if (std::abs(determinant(base)) < 1e-6 * std::pow(base.norm(), 3))
+    return weights; // a collapsed cell: slide against y itself
+  const Point3 c = invert(base) * r;
+  for (int b = 0; b < 27; ++b)
+    weights[b] += c[0] * derivative[0][b] + c[1] * derivative[1][b] + c[2] * derivative[2][b];
+  return weights;
+}
+
+Point3 separation(const SlidingPoint &p, const ContactPairing &pairing, const CurrentPosition &position)
+{
+  const PatchNodes nodes = at_nodes(pairing.faces()[p.face].nodes, position);
+  return interpolate(nodes, face_quadrature().shapes[p.point].value) -
+         sum(pairing.patches()[p.patch], p.weights, position);
+}
+
+} // namespace
+
+SlidingPoint sliding_point(const ContactPairing &pairing, const PairedPoint &paired,
+                           std::span<const double> displacement, double limit)
+{
+  const CurrentPosition position = {pairing.mesh(), displacement};
+  const ClosestPoint &closest = paired.closest;
+  SlidingPoint p = {paired.face, paired.point, paired.patch, limit, closest.normal, {}, {}};
+  p.weights =
+      touched_material(pairing.patches()[paired.patch], closest.xi, closest.distance * closest.normal, position);
+  p.offset = separation(p, pairing, position);
+  return p;
+}
+
+Point3 slip(const SlidingPoint &p, const ContactPairing &pairing, std::span<const double> displacement)
+{
+  const Point3 moved = separation(p, pairing, {pairing.mesh(), displacement}) - p.offset;
+  return moved - (moved * p.normal) * p.normal;
+}
+
+double FrictionLaw::energy(double limit, const Point3 &slip) const
+{
+  const double square = slip.norm_square();
+  return limit * square / (std::sqrt(square + sticking_slip * sticking_slip) + sticking_slip);
+}
+
+Point3 FrictionLaw::force(double limit, const Point3 &slip) const
+{
+  return limit / std::sqrt(slip.norm_square() + sticking_slip * sticking_slip) * slip;
+}
+
+dealii::Tensor<2, 3> FrictionLaw::tangent(double limit, const Point3 &slip, const Point3 &normal) const
+{
+  const double square = slip.norm_square() + sticking_slip * sticking_slip;
+  dealii::Tensor<2, 3> form = dealii::Tensor<2, 3>(dealii::unit_symmetric_tensor<3>());
+  form -= outer_product(normal, normal) + outer_product(slip, slip) / square;
+  return limit / std::sqrt(square) * form;
+}
+
+} // namespace ballonet::solver::contact

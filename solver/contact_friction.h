@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+#include "solver/contact_pairing.h"
+
+namespace ballonet::solver::contact
+{
+
+/// A point that was in contact at the start of the step. It slides against the material point of the primary cell it
+/// touched then: z = sum weights * cell nodes, found by going from the closest point of the patch to x along the cell's
+/// own base vectors. So z = x at the start, and a rigid motion of the whole is no sliding.
+struct SlidingPoint {
+  std::uint32_t face, point, patch;
+  double limit; ///< Coulomb limit: friction coefficient times normal force at the start, N
+  Point3 normal;
+  Point3 offset; ///< x - z at the start; zero but for rounding
+  std::array<double, 27> weights;
+};
+
+SlidingPoint sliding_point(const ContactPairing &, const PairedPoint &, std::span<const double> displacement,
+                           double limit);
+
+/// x - z projected on the plane of contact, mm.
+Point3 slip(const SlidingPoint &, const ContactPairing &, std::span<const double> displacement);
+
+/// Incremental potential of Coulomb friction, smooth at rest: limit * (sqrt(|g|^2 + s^2) - s), s the slip below which
+/// a point sticks (mm).
+struct FrictionLaw {
+  double sticking_slip;
+
+  double energy(double limit, const Point3 &slip) const;
+  Point3 force(double limit, const Point3 &slip) const;
+  /// d force / d (x - z), for slip = (I - n n) (x - z).
+  dealii::Tensor<2, 3> tangent(double limit, const Point3 &slip, const Point3 &normal) const;
+};
+
+} // namespace ballonet::solver::contact

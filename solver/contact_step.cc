@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "solver/contact_step.h"
+#include <cmath>
+
+namespace ballonet::solver::contact
+{
+
+namespace
+{
+
+/// A biquadratic patch or face on its way: nodes + fraction * increment.
+struct MovingPatch {
+  PatchNodes nodes, increment;
+  Box start, swept;
+
+  MovingPatch(const PatchNodes &from, const PatchNodes &by) : nodes(from), increment(by), start(enclosing_box(from))
+  {
+    swept = start;
+    swept.include(enclosing_box(at(1)));
+  }
+
+  PatchNodes at(double fraction) const
+  {
+    PatchNodes moved;
+    for (int a = 0; a < 9; ++a)
+      moved[a] = nodes[a] + fraction * increment[a];
+    return moved;
+  }
+};
+
+/// A point of a secondary face, and the patch it might run into.
+struct Approach {
+  Point3 x, increment;
+  const MovingPatch &moving;
+  const PrimaryPatch &patch;
+
+  /// Upper bound of the relative displacement; 1.25^2 is the Lebesgue constant of biquadratic interpolation.
+  double relative_displacement() const
+  {
+    double square = 0;
+    for (const Point3 &node : moving.increment)
+      square = std::max(square, (increment - node).norm_square());
+    return 1.5625 * std::sqrt(square);
+  }
+
+  double distance(double fraction) const
+  {
+    return closest_point(moving.at(fraction), patch.range, x + fraction * increment).distance;
+  }
+};
+
+/// The largest allowed fraction between `good` (allowed) and `bad` (not), to 1/256 of their difference.
+double bisect(const Approach &approach, double smallest, double good, double bad)
+{
+  for (int k = 0; k < 8; ++k) {
+    const double middle = (good + bad) / 2;
+    (approach.distance(middle) < smallest ? bad : good) = middle;
+  }
+  return good > 0 ? good : bad;
+}
+
+/// Goes along the way by the distance that is free at each stop, and at least by the radius of the core: so nothing is
+/// jumped over, since crossing the core takes twice that.
+double limited(const Approach &approach, double fraction)
+{
+  const double core = core_share * approach.patch.radius;
+  const double speed = approach.relative_displacement(); // mm per fraction
+  const double box_distance = std::sqrt(approach.moving.start.distance_square(approach.x));
+  if (speed == 0 || box_distance > core + fraction * speed)
+    return fraction;
+  double distance = approach.distance(0), good = 0;
+  const double smallest = std::min(core, distance * (1 - 1e-9));
+  while (good < fraction && distance <= core + (fraction - good) * speed) {
+    const double next = std::min(good + std::max(distance - smallest, core) / speed, fraction);
+    distance = approach.distance(next);
+    if (distance < smallest)
+      return bisect(approach, smallest, good, next);
+    good = next;
+  }
+  return fraction;
+}
+
+std::vector<MovingPatch> moving_patches(const ContactPairing &pairing, const CurrentPosition &position,
+                                        const NodalField &increment)
+{
+  std::vector<MovingPatch> moving;
+  for (const PrimaryPatch &patch : pairing.patches())
+    moving.emplace_back(at_depth(patch, position), at_depth(patch, increment));
+  return moving;
+}
+
+BoxTree tree_of(const std::vector<MovingPatch> &moving)
+{
+  std::vector<Box> boxes;
+  for (const MovingPatch &patch : moving)
+    boxes.push_back(patch.swept);
+  return BoxTree(std::move(boxes));
+}
+
+} // namespace
+
+double largest_fraction(const ContactPairing &pairing, std::span<const double> displacement,
+                        std::span<const double> increment)
+{
+  const CurrentPosition position = {pairing.mesh(), displacement};
+  const NodalField field = {increment};
+  const std::vector<MovingPatch> moving = moving_patches(pairing, position, field);
+  const BoxTree tree = tree_of(moving);
+  double fraction = 1;
+  for (const SecondaryFace &face : pairing.faces()) {
+    const MovingPatch nodes(at_nodes(face.nodes, position), at_nodes(face.nodes, field));
+    tree.overlapping(nodes.swept.enlarged(core_share * pairing.largest_radius()), [&](std::uint32_t patch) {
+      for (const PatchShapes &shapes : face_quadrature().shapes) {
+        const Point3 x = interpolate(nodes.nodes, shapes.value), dx = interpolate(nodes.increment, shapes.value);
+        fraction = limited({x, dx, moving[patch], pairing.patches()[patch]}, fraction);
+      }
+    });
+  }
+  return fraction;
+}
+
+} // namespace ballonet::solver::contact

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "solver/contact_work.h"
+#include "solver/contact_forces.h"
+#include "solver/contact_step.h"
+#include "solver/contact_tangent.h"
+
+namespace ballonet::solver
+{
+
+using namespace contact;
+
+namespace
+{
+
+Vector3 &operator+=(Vector3 &sum, const Point3 &v)
+{
+  for (int i = 0; i < 3; ++i)
+    sum[i] += v[i];
+  return sum;
+}
+
+Vector3 to_array(const Point3 &v) { return {v[0], v[1], v[2]}; }
+
+} // namespace
+
+ContactSummary &ContactSummary::operator+=(const ContactSummary &other)
+{
+  primary_force.resize(std::max(primary_force.size(), other.primary_force.size()), Vector3{});
+  for (std::size_t s = 0; s < other.primary_force.size(); ++s)
+    for (int i = 0; i < 3; ++i)
+      primary_force[s][i] += other.primary_force[s][i];
+  for (int i = 0; i < 3; ++i)
+    secondary_force[i] += other.secondary_force[i];
+  area += other.area;
+  penetration = std::max(penetration, other.penetration);
+  points += other.points;
+  return *this;
+}
+
+ContactWork::ContactWork(const Mesh &mesh, const ContactPair &pair,
+                         const std::function<bool(std::uint32_t cell)> &owned, const ContactOptions &options)
+    : pairing_(mesh, pair, owned, options.margin), law_{pair.stiffness, pair.onset}, options_(options),
+      friction_(pair.friction), n_primary_surfaces_(pair.primary.size()),
+      stored_pressure_(pairing_.faces().size() * n_face_points, 0.)
+{
+}
+
+double ContactWork::area(const PairedPoint &p) const { return pairing_.faces()[p.face].area[p.point]; }
+
+template <class Visit>
+void ContactWork::for_each_touching(const State &state, Visit visit) const
+{
+  pairing_.for_each(state.displacement, [&](std::uint32_t index, const PairedPoint &p) {
+    if (p.penetration > 0)
+      visit(index, p);
+  });
+}
+
+void ContactWork::search(const State &state)
+{
+  const std::size_t before = pairing_.couplings().size();
+  pairing_.search(state.displacement);
+  couplings_changed_ = pairing_.couplings().size() > before;
+}
+
+void ContactWork::begin_step(const State &start, const Step &step)
+{
+  search(start);
+  friction_law_.sticking_slip = std::max(options_.slip_velocity * step.dt, 1e-6);
+  sliding_.clear();
+  std::fill(stored_pressure_.begin(), stored_pressure_.end(), 0.);
+  for_each_touching(start, [&](std::uint32_t index, const PairedPoint &p) {
+    stored_pressure_[index] = law_.pressure(p.penetration);
+    const double limit = friction_ * area(p) * stored_pressure_[index];
+    if (limit > 0)
+      sliding_.push_back(sliding_point(pairing_, p, start.displacement, limit));
+  });
+}
+
+void ContactWork::begin_iteration(const State &state, int iteration)
+{
+  couplings_changed_ = false;
+  if (iteration < options_.search_iterations)
+    search(state);
+}
+
+void ContactWork::add_couplings(std::vector<std::vector<Node>> &sets) const
+{
+  for (const auto &[face, cell] : pairing_.couplings()) {
+    const auto &nodes = pairing_.faces()[face].nodes;
+    const auto &cell_nodes = pairing_.mesh().cells[cell];
+    auto &set = sets.emplace_back(nodes.begin(), nodes.end());
+    set.insert(set.end(), cell_nodes.begin(), cell_nodes.end());
+  }
+}
+
+Point3 ContactWork::friction_force(const SlidingPoint &s, const State &state) const
+{
+  return friction_law_.force(s.limit, slip(s, pairing_, state.displacement));
+}
+
+double ContactWork::energy(const State &state) const
+{
+  double sum = 0;
+  for_each_touching(state, [&](std::uint32_t, const PairedPoint &p) { sum += area(p) * law_.energy(p.penetration); });
+  for (const SlidingPoint &s : sliding_)
+    sum += friction_law_.energy(s.limit, slip(s, pairing_, state.displacement));
+  return sum;
+}
+
+void ContactWork::residual(const State &state, Assembly &assembly) const
+{
+  ForceBuffer buffer(pairing_);
+  for_each_touching(state, [&](std::uint32_t, const PairedPoint &p) {
+    const Point3 force = area(p) * law_.pressure(p.penetration) * p.closest.normal;
+    buffer.add_face(p.face, face_quadrature().shapes[p.point].value, -force);
+    buffer.add_patch(p.patch, patch_shapes(p.closest.xi).value, force);
+  });
+  for (const SlidingPoint &s : sliding_) {
+    const Point3 force = friction_force(s, state);
+    buffer.add_face(s.face, face_quadrature().shapes[s.point].value, force);
+    buffer.add_cell(s.patch, s.weights, -force);
+  }
+  buffer.flush(assembly);
+}
+
+void ContactWork::tangent(const State &state, Assembly &assembly) const
+{
+  std::vector<NormalContact> normal;
+  for_each_touching(state, [&](std::uint32_t index, const PairedPoint &p) {
+    normal.push_back({p, area(p) * law_.slope(p.penetration), area(p) * stored_pressure_[index]});
+  });
+  std::vector<SlidingContact> sliding;
+  for (const SlidingPoint &s : sliding_)
+    sliding.push_back({&s, friction_law_.tangent(s.limit, slip(s, pairing_, state.displacement), s.normal)});
+  add_contact_tangent(pairing_, normal, sliding, assembly);
+}
+
+void ContactWork::advance(const State &from, std::span<const double> increment, double fraction)
+{
+  std::fill(stored_pressure_.begin(), stored_pressure_.end(), 0.);
+  const NodalField field = {increment};
+  std::vector<PatchNodes> patch_increments;
+  for (const PrimaryPatch &patch : pairing_.patches())
+    patch_increments.push_back(at_depth(patch, field));
+  for_each_touching(from, [&](std::uint32_t index, const PairedPoint &p) {
+    const PatchNodes face_increment = at_nodes(pairing_.faces()[p.face].nodes, field);
+    const Point3 relative = interpolate(face_increment, face_quadrature().shapes[p.point].value) -
+                            interpolate(patch_increments[p.patch], patch_shapes(p.closest.xi).value);
+    const double predicted =
+        law_.pressure(p.penetration) - law_.slope(p.penetration) * fraction * (p.closest.normal * relative);
+    stored_pressure_[index] = std::max(predicted, 0.);
+  });
+}
+
+double ContactWork::largest_step(const State &state, std::span<const double> increment) const
+{
+  return largest_fraction(pairing_, state.displacement, increment);
+}
+
+ContactSummary ContactWork::summary(const State &state) const
+{
+  ContactSummary summary;
+  summary.primary_force.resize(n_primary_surfaces_, Vector3{});
+  auto add = [&](std::uint32_t patch, const Point3 &force_on_secondary) {
+    summary.primary_force[pairing_.patches()[patch].surface] += -force_on_secondary;
+    summary.secondary_force += force_on_secondary;
+  };
+  for_each_touching(state, [&](std::uint32_t, const PairedPoint &p) {
+    add(p.patch, area(p) * law_.pressure(p.penetration) * p.closest.normal);
+    summary.area += area(p);
+    summary.penetration = std::max(summary.penetration, p.penetration);
+    ++summary.points;
+  });
+  for (const SlidingPoint &s : sliding_)
+    add(s.patch, -friction_force(s, state));
+  return summary;
+}
+
+std::vector<ContactPoint> ContactWork::contact_points(const State &state) const
+{
+  std::vector<ContactPoint> points;
+  for_each_touching(state, [&](std::uint32_t, const PairedPoint &p) {
+    points.push_back({pairing_.faces()[p.face].face, pairing_.patches()[p.patch].face, to_array(p.position), area(p),
+                      law_.pressure(p.penetration), p.penetration});
+  });
+  return points;
+}
+
+} // namespace ballonet::solver

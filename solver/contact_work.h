@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+#include "solver/contact_friction.h"
+#include "solver/contact_law.h"
+#include "solver/contact_pairing.h"
+#include "solver/virtual_work.h"
+
+namespace ballonet::solver
+{
+
+struct ContactOptions {
+  double margin = 1;         ///< mm beyond the contact distance within which points and patches are paired
+  double slip_velocity = 10; ///< mm/s, below which friction sticks
+  int search_iterations = 6; ///< the pairing is frozen from this iteration of a step on
+};
+
+/// What a contact pair transmits. Ranks' parts are summed with +=.
+struct ContactSummary {
+  std::vector<Vector3> primary_force; ///< N, on each primary surface in the order of the pair's names
+  Vector3 secondary_force = {};       ///< N, on the secondary surface
+  double area = 0;                    ///< mm^2 of reference area in contact
+  double penetration = 0;             ///< mm, the largest
+  std::size_t points = 0;             ///< quadrature points in contact
+
+  ContactSummary &operator+=(const ContactSummary &);
+};
+
+/// One quadrature point in contact.
+struct ContactPoint {
+  Face secondary, primary;
+  Vector3 position;   ///< mm, present
+  double area;        ///< mm^2, reference
+  double pressure;    ///< MPa per reference area
+  double penetration; ///< mm
+};
+
+/// Contact of the secondary surface's 5 x 5 quadrature points per face with the primary surface moved back into its
+/// body by the pair's thickness: energy = area * law(thickness - distance), distance unsigned. Derivatives by the
+/// implicit function theorem, exact and symmetric. Coulomb friction with the normal force and the contact point of the
+/// step's start, as an incremental potential.
+///
+/// The tangent's geometric part uses a stored contact pressure that follows the linear prediction of each increment
+/// (advance) instead of the one of the state, as in Magisano et al. (2017) for stresses: residual and energy are exact.
+class ContactWork : public VirtualWork
+{
+public:
+  /// `mesh` must outlive this. `owned`: cells whose secondary faces are this rank's.
+  ContactWork(const Mesh &mesh, const ContactPair &pair, const std::function<bool(std::uint32_t cell)> &owned,
+              const ContactOptions &options = {});
+
+  void begin_step(const State &start, const Step &) override;
+  void begin_iteration(const State &, int iteration) override;
+  void add_couplings(std::vector<std::vector<Node>> &) const override;
+  /// True when the last begin_step or begin_iteration brought pairs within reach that had never been before.
+  bool couplings_changed() const { return couplings_changed_; }
+
+  double energy(const State &) const override;
+  void residual(const State &, Assembly &) const override;
+  void tangent(const State &, Assembly &) const override;
+  void advance(const State &from, std::span<const double> increment, double fraction) override;
+  double largest_step(const State &, std::span<const double> increment) const override;
+
+  /// Forces and extent of the contact in a state, this rank's part. Friction is the one of the present step: ask before
+  /// the next begin_step.
+  ContactSummary summary(const State &) const;
+  /// All points in contact, this rank's part.
+  std::vector<ContactPoint> contact_points(const State &) const;
+
+private:
+  contact::ContactPairing pairing_;
+  ContactLaw law_;
+  ContactOptions options_;
+  double friction_;
+  std::size_t n_primary_surfaces_;
+  bool couplings_changed_ = false;
+  contact::FrictionLaw friction_law_ = {1};
+  std::vector<contact::SlidingPoint> sliding_;
+  std::vector<double> stored_pressure_; ///< MPa, one per secondary point
+
+  void search(const State &);
+  double area(const contact::PairedPoint &) const;
+  template <class Visit>
+  void for_each_touching(const State &, Visit visit) const;
+  contact::Point3 friction_force(const contact::SlidingPoint &, const State &) const;
+};
+
+} // namespace ballonet::solver

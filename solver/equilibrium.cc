@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "solver/equilibrium.h"
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace ballonet::solver
+{
+
+namespace
+{
+
+template <class List>
+const auto &named(const List &list, const std::string &name, const char *what)
+{
+  for (const auto &item : list)
+    if (item.name == name)
+      return item;
+  throw std::invalid_argument(std::string("there is no ") + what + " \"" + name + "\"");
+}
+
+} // namespace
+
+Equilibrium::Equilibrium(const Parameters &parameters, const Mesh &mesh, MPI_Comm comm)
+    : parameters_(parameters), comm_(comm), discretization_(mesh, comm), system_(discretization_)
+{
+  build_loads(build_bodies());
+  for (const auto &pair : parameters.contact_pairs) {
+    contacts_.push_back(
+        std::make_unique<ContactWork>(mesh, pair, [this](std::uint32_t cell) { return discretization_.owns(cell); }));
+    checks_.push_back(std::make_unique<PenetrationCheck>(mesh, pair, pair.penetration_limit));
+  }
+  if (parameters.cavity)
+    cavity_ = std::make_unique<CavityWork>(discretization_, *parameters.cavity);
+
+  for (const auto &body : bodies_)
+    works_.push_back(body.get());
+  for (const auto &load : loads_)
+    works_.push_back(load.get());
+  for (const auto &contact : contacts_)
+    works_.push_back(contact.get());
+  works_.push_back(inertia_.get());
+  if (cavity_)
+    works_.push_back(cavity_.get());
+  newton_ = std::make_unique<NewtonSolver>(system_, works_, cavity_.get(), comm, parameters.newton);
+}
+
+Equilibrium::~Equilibrium() = default;
+
+/// Returns the nodal masses of this rank's cells.
+std::vector<double> Equilibrium::build_bodies()
+{
+  std::vector<double> mass(discretization_.n_nodes());
+  const auto &names = discretization_.mesh().bodies;
+  for (std::uint32_t b = 0; b < names.size(); ++b) {
+    const auto &body = named(parameters_.bodies, names[b], "body");
+    const auto &material = named(parameters_.materials, body.material, "material");
+    bodies_.push_back(std::make_unique<ElasticWork>(discretization_, b, make_material(material),
+                                                    material.relaxation_time, body.mixed));
+    add_nodal_mass(discretization_, b, material.density, mass);
+  }
+  return mass;
+}
+
+void Equilibrium::build_loads(const std::vector<double> &mass)
+{
+  loads_.push_back(std::make_unique<DeadLoad>(discretization_, mass, parameters_.gravity, parameters_.loads));
+  for (const auto &load : parameters_.loads)
+    if (load.pressure != 0)
+      loads_.push_back(std::make_unique<FollowerLoad>(discretization_, load));
+  inertia_ = std::make_unique<InertiaWork>(mass);
+}
+
+State Equilibrium::initial_state() const
+{
+  const std::vector<double> zeros(3 * discretization_.n_nodes());
+  return {zeros, zeros, 0, 0};
+}
+
+Prescribed Equilibrium::prescribed(double load_factor) const
+{
+  Prescribed values(3 * discretization_.n_nodes(), std::nan(""));
+  for (const auto &support : parameters_.supports)
+    for (const auto node : surface_nodes(discretization_.mesh(), support.surface)) {
+      for (const auto &direction : support.fix)
+        values[3 * node + direction[0] - 'x'] = 0;
+      for (int d = 0; d < 3; ++d)
+        if (support.move[d])
+          values[3 * node + d] = load_factor * *support.move[d];
+    }
+  return values;
+}
+
+NewtonSolver::Outcome Equilibrium::solve(State &state, const Step &step, const NewtonSolver::Target &target)
+{
+  system_.prescribe(prescribed(step.load_factor));
+  for (auto *work : works_)
+    work->begin_step(state, step);
+  State end = state;
+  auto outcome = newton_->solve(end, target);
+  if (outcome.converged)
+    state = std::move(end);
+  return outcome;
+}
+
+Energies Equilibrium::energies(const State &state) const
+{
+  Energies e;
+  for (const auto &body : bodies_) {
+    e.stored += body->stored_energy(state);
+    e.dissipated += body->dissipated(state);
+  }
+  e.kinetic = inertia_->kinetic_energy(state);
+  MPI_Allreduce(MPI_IN_PLACE, &e, 3, MPI_DOUBLE, MPI_SUM, comm_);
+  return e;
+}
+
+std::vector<double> Equilibrium::stresses(const State &state) const
+{
+  std::vector<double> stress(discretization_.mesh().cells.size());
+  for (const auto &body : bodies_)
+    body->stresses(state, stress);
+  MPI_Allreduce(MPI_IN_PLACE, stress.data(), stress.size(), MPI_DOUBLE, MPI_MAX, comm_);
+  return stress;
+}
+
+std::vector<ContactSummary> Equilibrium::contact(const State &state) const
+{
+  std::vector<ContactSummary> summaries;
+  for (const auto &contact : contacts_) {
+    auto s = contact->summary(state);
+    std::vector<double> sums = {s.area, static_cast<double>(s.points)};
+    sums.insert(sums.end(), s.secondary_force.begin(), s.secondary_force.end());
+    for (const auto &force : s.primary_force)
+      sums.insert(sums.end(), force.begin(), force.end());
+    MPI_Allreduce(MPI_IN_PLACE, sums.data(), sums.size(), MPI_DOUBLE, MPI_SUM, comm_);
+    MPI_Allreduce(MPI_IN_PLACE, &s.penetration, 1, MPI_DOUBLE, MPI_MAX, comm_);
+    s.area = sums[0];
+    s.points = sums[1];
+    std::copy_n(&sums[2], 3, s.secondary_force.begin());
+    for (std::size_t i = 0; i < s.primary_force.size(); ++i)
+      std::copy_n(&sums[5 + 3 * i], 3, s.primary_force[i].begin());
+    summaries.push_back(s);
+  }
+  return summaries;
+}
+
+std::vector<std::vector<ContactPoint>> Equilibrium::contact_points(const State &state) const
+{
+  std::vector<std::vector<ContactPoint>> points;
+  for (const auto &contact : contacts_)
+    points.push_back(contact->contact_points(state));
+  return points;
+}
+
+std::string Equilibrium::objection(const State &state) const
+{
+  const auto summaries = contact(state);
+  for (std::size_t i = 0; i < summaries.size(); ++i)
+    if (const auto &pair = parameters_.contact_pairs[i]; summaries[i].penetration > pair.penetration_limit)
+      return "contact pair \"" + pair.name + "\" penetrates by " + std::to_string(summaries[i].penetration) +
+             " mm, allowed are " + std::to_string(pair.penetration_limit);
+  for (const auto &check : checks_)
+    if (const auto violations = check->find(state); !violations.empty()) {
+      const auto &worst = *std::max_element(violations.begin(), violations.end(),
+                                            [](const auto &a, const auto &b) { return a.depth < b.depth; });
+      return std::to_string(violations.size()) + " nodes lie inside or beyond body \"" + worst.body +
+             "\", the deepest by " + std::to_string(worst.depth) + " mm at (" + std::to_string(worst.position[0]) +
+             ", " + std::to_string(worst.position[1]) + ", " + std::to_string(worst.position[2]) + ") mm";
+    }
+  return {};
+}
+
+} // namespace ballonet::solver

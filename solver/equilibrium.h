@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+#include "solver/contact_work.h"
+#include "solver/elastic_work.h"
+#include "solver/load_work.h"
+#include "solver/newton.h"
+#include "solver/parameters.h"
+#include "solver/penetration_check.h"
+#include <memory>
+
+namespace ballonet::solver
+{
+
+/// Energies of a state, N mm, summed over the ranks.
+struct Energies {
+  double stored = 0;     ///< elastic
+  double dissipated = 0; ///< by viscosity, since the start of the step
+  double kinetic = 0;
+};
+
+/// The mechanical system: all contributions to the virtual work, and the solver that balances them.
+class Equilibrium
+{
+public:
+  /// `parameters` and `mesh` must outlive this object. Throws std::invalid_argument for names the mesh does not have.
+  Equilibrium(const Parameters &parameters, const Mesh &mesh, MPI_Comm comm);
+  ~Equilibrium();
+
+  State initial_state() const;
+  const Discretization &discretization() const { return discretization_; }
+  bool has_cavity() const { return cavity_ != nullptr; }
+
+  /// Balances `state` at the end of a step that starts there. On failure `state` is what it was.
+  NewtonSolver::Outcome solve(State &state, const Step &step, const NewtonSolver::Target &target);
+
+  /// Why a converged state must not be accepted (a node of one body inside another, penetration), or an empty string.
+  std::string objection(const State &state) const;
+
+  double volume(const State &state) const { return newton_->volume(state); }
+  Energies energies(const State &state) const;
+  /// Largest von Mises stress of every cell of the mesh, MPa, on every rank.
+  std::vector<double> stresses(const State &state) const;
+  /// Force every node receives from outside at equilibrium, N, three per node: reactions of supports.
+  std::vector<double> reactions(const State &state) const { return newton_->forces(state); }
+  /// What each contact pair transmits, summed over the ranks.
+  std::vector<ContactSummary> contact(const State &state) const;
+  /// Points in contact of each pair, this rank's part.
+  std::vector<std::vector<ContactPoint>> contact_points(const State &state) const;
+
+private:
+  void build_loads(const std::vector<double> &mass);
+  std::vector<double> build_bodies();
+  Prescribed prescribed(double load_factor) const;
+
+  const Parameters &parameters_;
+  MPI_Comm comm_;
+  Discretization discretization_;
+  LinearSystem system_;
+  std::vector<std::unique_ptr<ElasticWork>> bodies_;
+  std::vector<std::unique_ptr<VirtualWork>> loads_;
+  std::unique_ptr<CavityWork> cavity_;
+  std::unique_ptr<InertiaWork> inertia_;
+  std::vector<std::unique_ptr<ContactWork>> contacts_;
+  std::vector<std::unique_ptr<PenetrationCheck>> checks_; ///< one per contact pair
+  std::vector<VirtualWork *> works_;                      ///< all of the above
+  std::unique_ptr<NewtonSolver> newton_;
+};
+
+} // namespace ballonet::solver

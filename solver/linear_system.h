@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+#include "solver/discretization.h"
+#include "solver/virtual_work.h"
+#include <functional>
+#include <petscmat.h>
+#include <petscpc.h>
+
+namespace ballonet::solver
+{
+
+/// Displacements prescribed on nodes: value of every held equation (three per node), NaN where it is free.
+using Prescribed = std::vector<double>;
+
+/// The distributed system of one Newton iteration: symmetric block matrix (SBAIJ, blocks of 3), residual, border and
+/// the MUMPS LDL^T factor with its count of negative pivots. Held equations become unit rows; their prescribed
+/// increments enter the right-hand side, so the matrix stays symmetric.
+class LinearSystem
+{
+public:
+  explicit LinearSystem(const Discretization &discretization);
+  ~LinearSystem();
+  LinearSystem(const LinearSystem &) = delete;
+  LinearSystem &operator=(const LinearSystem &) = delete;
+
+  /// Which equations are held, and where they shall be.
+  void prescribe(const Prescribed &values) { prescribed_ = values; }
+  const Prescribed &prescribed() const { return prescribed_; }
+
+  /// Grows the pattern by `couplings` of this rank (collective). Cheap when nothing is new.
+  void couple(const std::vector<std::vector<Node>> &couplings);
+
+  /// Calls `add` with an assembly for residuals and sums what it adds over the ranks.
+  void assemble(const std::function<void(Assembly &)> &add, Vec sum) const;
+  /// Replaces the held equations of a residual by u - prescribed; returns the largest of them over all ranks.
+  double hold(const State &state, Vec residual) const;
+  /// Sets the held entries to zero and returns the norm of what stood there.
+  double clear_held(Vec vector) const;
+  /// Sum of their tangents, factorised. False when MUMPS fails.
+  bool factorise(const std::vector<VirtualWork *> &works, const State &state);
+  /// Number of negative pivots of the last factorisation.
+  int negative_pivots() const { return negative_pivots_; }
+  /// x = K^-1 b where the held entries of b are zero.
+  void solve(Vec b, Vec x) const { petsc_apply(b, x); }
+  /// The same for a residual whose held entries are u - prescribed.
+  void solve_held(Vec b, Vec x) const;
+
+  Vec create_vector() const;
+  /// Distributed vector from a replicated field and back (collective).
+  void scatter(const std::vector<double> &field, Vec vector) const;
+  void gather(Vec vector, std::vector<double> &field) const;
+
+private:
+  class ResidualAssembly;
+  class TangentAssembly;
+  void rebuild_pattern();
+  void petsc_apply(Vec b, Vec x) const;
+  /// Calls `visit(local index, prescribed value, displacement index)` for every held equation of this rank.
+  template <class Visit>
+  void for_held(const Visit &visit) const;
+
+  const Discretization &discretization_;
+  Prescribed prescribed_;
+  std::vector<std::vector<Node>> rows_; ///< by node: coupled nodes, sorted; complete on every rank
+  Mat matrix_ = nullptr;
+  PC factor_ = nullptr;
+  Vec lift_ = nullptr; ///< K_fc (u_c - prescribed_c)
+  mutable Vec sequential_ = nullptr;
+  VecScatter to_all_ = nullptr;
+  bool pattern_changed_ = true;
+  int negative_pivots_ = 0;
+};
+
+} // namespace ballonet::solver

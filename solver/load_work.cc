@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "solver/load_work.h"
+#include <cmath>
+
+namespace ballonet::solver
+{
+
+void add_nodal_mass(const Discretization &discretization, std::uint32_t body, double density, std::vector<double> &mass)
+{
+  // int N_a dV with N_a from the one-dimensional quadratic shape functions at the Gauss points
+  const double g = std::sqrt(0.15), points[3] = {0.5 - g, 0.5, 0.5 + g};
+  const auto shape = [](int i, double x) {
+    return i == 0 ? (1 - x) * (1 - 2 * x) : i == 1 ? 4 * x * (1 - x) : x * (2 * x - 1);
+  };
+  const auto &mesh = discretization.mesh();
+  for (const auto c : discretization.owned_cells()) {
+    if (mesh.cell_body[c] != body || density == 0)
+      continue;
+    const auto quadrature = discretization.quadrature(c);
+    for (int q = 0; q < n_points; ++q)
+      for (int a = 0; a < n_cell_nodes; ++a)
+        mass[mesh.cells[c][a]] += density * quadrature.weight[q] * shape(a % 3, points[q % 3]) *
+                                  shape(a / 3 % 3, points[q / 3 % 3]) * shape(a / 9, points[q / 9]);
+  }
+}
+
+DeadLoad::DeadLoad(const Discretization &discretization, const std::vector<double> &mass, const Vector3 &gravity,
+                   const std::vector<Load> &loads)
+    : force_(3 * mass.size())
+{
+  for (std::size_t node = 0; node < mass.size(); ++node)
+    for (int d = 0; d < 3; ++d)
+      force_[3 * node + d] = mass[node] * gravity[d];
+  const auto &mesh = discretization.mesh();
+  const auto &basis = face_basis();
+  for (const auto &load : loads)
+    for (const auto &face : faces_of(mesh, load.surface)) {
+      if (!discretization.owns(face.cell))
+        continue;
+      const auto nodes = face_nodes(mesh, face);
+      for (int q = 0; q < n_face_nodes; ++q) {
+        Vector3 xi{}, eta{};
+        for (int a = 0; a < n_face_nodes; ++a)
+          for (int d = 0; d < 3; ++d) {
+            xi[d] += basis.derivative[q][a][0] * mesh.nodes[nodes[a]][d];
+            eta[d] += basis.derivative[q][a][1] * mesh.nodes[nodes[a]][d];
+          }
+        const double area = std::hypot(xi[1] * eta[2] - xi[2] * eta[1], xi[2] * eta[0] - xi[0] * eta[2],
+                                       xi[0] * eta[1] - xi[1] * eta[0]) *
+                            basis.weight[q];
+        for (int a = 0; a < n_face_nodes; ++a)
+          for (int d = 0; d < 3; ++d)
+            force_[3 * nodes[a] + d] += area * basis.value[q][a] * load.traction[d];
+      }
+    }
+  for (Node node = 0; node < mass.size(); ++node)
+    if (force_[3 * node] != 0 || force_[3 * node + 1] != 0 || force_[3 * node + 2] != 0)
+      nodes_.push_back(node);
+}
+
+double DeadLoad::energy(const State &state) const
+{
+  double work = 0;
+  for (const auto node : nodes_)
+    for (int d = 0; d < 3; ++d)
+      work += force_[3 * node + d] * state.displacement[3 * node + d];
+  return -factor_ * work;
+}
+
+void DeadLoad::residual(const State &, Assembly &out) const
+{
+  for (const auto node : nodes_) {
+    const Vector3 r = {-factor_ * force_[3 * node], -factor_ * force_[3 * node + 1], -factor_ * force_[3 * node + 2]};
+    out.add_residual({&node, 1}, r);
+  }
+}
+
+FollowerLoad::FollowerLoad(const Discretization &discretization, const Load &load)
+    : discretization_(discretization), swept_(discretization, Cavity{load.surface, {0, 0, 0}, {"x", "y", "z"}}),
+      pressure_(load.pressure)
+{
+  for (const auto &face : faces_of(discretization.mesh(), load.surface))
+    if (discretization.owns(face.cell))
+      faces_.push_back(face_nodes(discretization.mesh(), face));
+}
+
+double FollowerLoad::energy(const State &state) const { return -factor_ * pressure_ * swept_.volume(state); }
+
+FaceTangents FollowerLoad::tangents(const std::array<Node, n_face_nodes> &nodes, const State &state, int q) const
+{
+  const auto &basis = face_basis();
+  FaceTangents t;
+  for (int a = 0; a < n_face_nodes; ++a)
+    for (int d = 0; d < 3; ++d) {
+      const double x = discretization_.mesh().nodes[nodes[a]][d] + state.displacement[3 * nodes[a] + d];
+      t.xi[d] += basis.derivative[q][a][0] * x;
+      t.eta[d] += basis.derivative[q][a][1] * x;
+    }
+  return t;
+}
+
+void FollowerLoad::residual(const State &state, Assembly &out) const
+{
+  const auto &basis = face_basis();
+  for (const auto &face : faces_) {
+    std::array<double, 3 * n_face_nodes> r{};
+    for (int q = 0; q < n_face_nodes; ++q) {
+      const auto t = tangents(face, state, q);
+      for (int d = 0; d < 3; ++d) {
+        const int e = (d + 1) % 3, f = (d + 2) % 3;
+        const double force = factor_ * pressure_ * basis.weight[q] * (t.xi[e] * t.eta[f] - t.xi[f] * t.eta[e]);
+        for (int k = 0; k < n_face_nodes; ++k)
+          r[3 * k + d] += basis.value[q][k] * force;
+      }
+    }
+    out.add_residual(face, r);
+  }
+}
+
+void FollowerLoad::tangent(const State &state, Assembly &out) const
+{
+  const auto &basis = face_basis();
+  constexpr int n = 3 * n_face_nodes;
+  for (const auto &face : faces_) {
+    std::array<double, n * n> K{};
+    for (int q = 0; q < n_face_nodes; ++q) {
+      const auto t = tangents(face, state, q);
+      const double w = factor_ * pressure_ * basis.weight[q] / 2;
+      for (int k = 0; k < n_face_nodes; ++k)
+        for (int l = 0; l < n_face_nodes; ++l)
+          for (int d = 0; d < 3; ++d)
+            for (int s = 1; s < 3; ++s) {
+              const int e = (d + s) % 3, f = (d + 3 - s) % 3;
+              const auto &dl = basis.derivative[q][l];
+              const double value =
+                  (s == 1 ? w : -w) * basis.value[q][k] * (dl[0] * t.eta[f] - dl[1] * t.xi[f]); // d r_kd / d u_le
+              K[(3 * k + d) * n + 3 * l + e] += value;
+              K[(3 * l + e) * n + 3 * k + d] += value;
+            }
+    }
+    out.add_tangent(face, K);
+  }
+}
+
+InertiaWork::InertiaWork(std::vector<double> mass) : mass_(std::move(mass))
+{
+  for (Node node = 0; node < mass_.size(); ++node)
+    if (mass_[node] != 0)
+      nodes_.push_back(node);
+}
+
+void InertiaWork::begin_step(const State &start, const Step &step)
+{
+  rate_ = step.inertia ? 1 / (step.dt * step.dt) : 0;
+  reached_ = start.displacement;
+  if (step.inertia)
+    for (std::size_t i = 0; i < reached_.size(); ++i)
+      reached_[i] += step.dt * start.velocity[i];
+}
+
+double InertiaWork::energy(const State &state) const
+{
+  double sum = 0;
+  for (const auto node : nodes_)
+    for (int d = 0; d < 3; ++d) {
+      const double miss = state.displacement[3 * node + d] - reached_[3 * node + d];
+      sum += mass_[node] * miss * miss;
+    }
+  return rate_ * sum / 2;
+}
+
+void InertiaWork::residual(const State &state, Assembly &out) const
+{
+  if (rate_ == 0)
+    return;
+  for (const auto node : nodes_) {
+    Vector3 r;
+    for (int d = 0; d < 3; ++d)
+      r[d] = rate_ * mass_[node] * (state.displacement[3 * node + d] - reached_[3 * node + d]);
+    out.add_residual({&node, 1}, r);
+  }
+}
+
+void InertiaWork::tangent(const State &, Assembly &out) const
+{
+  if (rate_ == 0)
+    return;
+  for (const auto node : nodes_) {
+    const double k = rate_ * mass_[node];
+    const std::array<double, 9> K = {k, 0, 0, 0, k, 0, 0, 0, k};
+    out.add_tangent({&node, 1}, K);
+  }
+}
+
+double InertiaWork::kinetic_energy(const State &state) const
+{
+  double sum = 0;
+  for (const auto node : nodes_)
+    for (int d = 0; d < 3; ++d)
+      sum += mass_[node] * state.velocity[3 * node + d] * state.velocity[3 * node + d];
+  return sum / 2;
+}
+
+} // namespace ballonet::solver

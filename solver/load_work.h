@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+#include "solver/cavity_work.h"
+
+namespace ballonet::solver
+{
+
+/// Nodal masses by row sums (Simpson weights on affine cells, all positive), tonne; of this rank's cells of one body.
+void add_nodal_mass(const Discretization &discretization, std::uint32_t body, double density,
+                    std::vector<double> &mass);
+
+/// Tangent vectors d x/d xi and d x/d eta of a face.
+struct FaceTangents {
+  Vector3 xi{}, eta{};
+};
+
+/// Dead forces on nodes, scaled with the load factor of the step: weight and dead tractions.
+class DeadLoad : public VirtualWork
+{
+public:
+  DeadLoad(const Discretization &discretization, const std::vector<double> &mass, const Vector3 &gravity,
+           const std::vector<Load> &loads);
+  void begin_step(const State &, const Step &step) override { factor_ = step.load_factor; }
+  double energy(const State &state) const override;
+  void residual(const State &state, Assembly &out) const override;
+  void tangent(const State &, Assembly &) const override {}
+
+private:
+  std::vector<double> force_; ///< N at load factor 1, three per node; this rank's part
+  std::vector<Node> nodes_;   ///< those with a force
+  double factor_ = 1;
+};
+
+/// Follower pressure on a surface that is no controlled cavity, scaled with the load factor. Where the surface has a
+/// free rim the load has no potential: the residual is exact, the tangent its symmetric part, the energy that of the
+/// swept volume.
+class FollowerLoad : public VirtualWork
+{
+public:
+  FollowerLoad(const Discretization &discretization, const Load &load);
+  void begin_step(const State &, const Step &step) override { factor_ = step.load_factor; }
+  double energy(const State &state) const override;
+  void residual(const State &state, Assembly &out) const override;
+  void tangent(const State &state, Assembly &out) const override;
+
+private:
+  FaceTangents tangents(const std::array<Node, n_face_nodes> &nodes, const State &state, int point) const;
+  const Discretization &discretization_;
+  CavityWork swept_;
+  double pressure_, factor_ = 1;
+  std::vector<std::array<Node, n_face_nodes>> faces_;
+};
+
+/// Inertia of lumped masses by backward Euler as an incremental potential:
+///   sum_a m_a |u_a - u_n,a - dt v_n,a|^2 / (2 dt^2).
+class InertiaWork : public VirtualWork
+{
+public:
+  explicit InertiaWork(std::vector<double> mass);
+  void begin_step(const State &start, const Step &step) override;
+  double energy(const State &state) const override;
+  void residual(const State &state, Assembly &out) const override;
+  void tangent(const State &state, Assembly &out) const override;
+  /// Kinetic energy of this rank's part of the masses, N mm.
+  double kinetic_energy(const State &state) const;
+
+private:
+  std::vector<double> mass_;
+  std::vector<Node> nodes_;
+  std::vector<double> reached_; ///< u_n + dt v_n
+  double rate_ = 0;             ///< 1 / dt^2, zero without inertia
+};
+
+} // namespace ballonet::solver

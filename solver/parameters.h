@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+#include <array>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// Everything the solver can be asked for, as plain structs with defaults. Units inside: N, mm, MPa, s, t (tonne).
+/// Each struct lists its fields once, in fields(); reading, writing and describing a study all visit that list.
+namespace ballonet::solver
+{
+
+using Vector3 = std::array<double, 3>;
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+enum class Law { neo_hookean, saint_venant };
+
+struct Material {
+  std::string name;
+  Law law = Law::neo_hookean;
+  std::optional<double> c10, d1, youngs_modulus, poisson_ratio;
+  double density = 0;         // t/mm^3
+  double relaxation_time = 0; // s
+
+  template <class Self, class Visitor>
+  static void fields(Self &self, Visitor &v)
+  {
+    v.choice("law", self.law, {{"neo_hookean", Law::neo_hookean}, {"saint_venant", Law::saint_venant}},
+             "constitutive law");
+    v.quantity("c10", self.c10, "MPa", 0, 1e6, "neo-Hookean coefficient of W = C10 (I1bar - 3) + (J - 1)^2 / D1");
+    v.quantity("d1", self.d1, "1/MPa", 0, 1e6, "compressibility of the same law; bulk modulus K = 2 / D1");
+    v.quantity("youngs_modulus", self.youngs_modulus, "MPa", 0, 1e9,
+               "saint_venant, or neo_hookean by small-strain moduli");
+    v.quantity("poisson_ratio", self.poisson_ratio, "1", -0.999, 0.49999, "goes with youngs_modulus");
+    v.quantity("density", self.density, "t/mm^3", 0, 1e-6, "mass per reference volume");
+    v.quantity("relaxation_time", self.relaxation_time, "s", 0, 10,
+               "Kelvin-Voigt viscosity: viscous stress = 2 mu * relaxation_time * strain rate");
+  }
+};
+
+struct Body {
+  std::string name, material;
+  bool mixed = false; // Q2/P-1 with element pressures
+  template <class Self, class Visitor>
+  static void fields(Self &self, Visitor &v)
+  {
+    v.text("name", self.name, "physical volume of the mesh");
+    v.text("material", self.material, "name of a [material.X] block");
+    v.flag("mixed", self.mixed, "element pressures as unknowns (Q2/P-1), for nearly incompressible materials");
+  }
+};
+
+struct Support {
+  std::string surface;
+  std::vector<std::string> fix;                   // of "x", "y", "z"
+  std::array<std::optional<double>, 3> move = {}; // displacement at load factor 1
+  template <class Self, class Visitor>
+  static void fields(Self &self, Visitor &v)
+  {
+    v.text("surface", self.surface, "surface that is held");
+    v.words("fix", self.fix, {"x", "y", "z"}, "directions held at rest");
+    v.vector("move", self.move, "mm", "displacement reached at load factor 1, by direction: {x = \"4 mm\"}");
+  }
+};
+
+struct Cavity {
+  std::string surface;
+  Vector3 origin = {0, 0, 0};
+  std::vector<std::string> directions = {"x", "y", "z"};
+  template <class Self, class Visitor>
+  static void fields(Self &self, Visitor &v)
+  {
+    v.text("surface", self.surface, "wetted surface; closed by symmetry planes and supports");
+    v.point("origin", self.origin, "mm", "a point common to all planes that close the cavity");
+    v.words("directions", self.directions, {"x", "y", "z"},
+            "directions in which the enclosed volume is measured; leave out one when two parallel planes close it");
+  }
+};
+
+struct Load {
+  std::string surface;
+  Vector3 traction = {0, 0, 0}; // dead, per reference area
+  double pressure = 0;          // follower
+  template <class Self, class Visitor>
+  static void fields(Self &self, Visitor &v)
+  {
+    v.text("surface", self.surface, "surface that carries the load");
+    v.point("traction", self.traction, "MPa", "dead load per reference area at load factor 1");
+    v.quantity("pressure", self.pressure, "MPa", -1e3, 1e3,
+               "follower pressure at load factor 1, positive into the body");
+  }
+};
+
+struct ContactPair {
+  std::string name;
+  std::vector<std::string> secondary, primary;
+  double friction = 0.3, thickness = 0.35, stiffness = 9, onset = 0.06, penetration_limit = 0.15;
+  template <class Self, class Visitor>
+  static void fields(Self &self, Visitor &v)
+  {
+    v.text("name", self.name, "how the pair is called in results");
+    v.names("secondary", self.secondary, "surfaces whose quadrature points feel the contact");
+    v.names("primary", self.primary, "surfaces they are kept out of");
+    v.quantity("friction", self.friction, "1", 0, 10, "Coulomb coefficient");
+    v.quantity("thickness", self.thickness, "mm", 0, 10,
+               "how far the primary surface is moved back into its body; rounds its edges by the same radius");
+    v.quantity("stiffness", self.stiffness, "MPa/mm", 0, 1e6, "contact pressure per penetration");
+    v.quantity("onset", self.onset, "mm", 0, 1, "penetration over which the stiffness grows from zero");
+    v.quantity("penetration_limit", self.penetration_limit, "mm", 0, 10, "a step that ends deeper is rejected");
+  }
+};
+
+enum class ResponseKind { displacement, position, reaction, contact_force, volume, pressure, max_stress };
+
+struct Response {
+  std::string name;
+  ResponseKind kind = ResponseKind::displacement;
+  std::string surface;          // displacement, position: mean over it; reaction: sum over it
+  std::optional<Vector3> point; // displacement, position of the nearest node
+  std::string component = "x";  // x y z magnitude
+  std::string body;             // max_stress
+  std::string pair;             // contact_force
+  template <class Self, class Visitor>
+  static void fields(Self &self, Visitor &v)
+  {
+    v.text("name", self.name, "column of history.csv and name for objectives");
+    v.choice("kind", self.kind,
+             {{"displacement", ResponseKind::displacement},
+              {"position", ResponseKind::position},
+              {"reaction", ResponseKind::reaction},
+              {"contact_force", ResponseKind::contact_force},
+              {"volume", ResponseKind::volume},
+              {"pressure", ResponseKind::pressure},
+              {"max_stress", ResponseKind::max_stress}},
+             "what is measured");
+    v.text("surface", self.surface, "where: mean over the surface (sum for reaction)");
+    v.point("point", self.point, "mm", "where: the node nearest to this reference point");
+    v.text("component", self.component, "x, y, z or magnitude");
+    v.text("body", self.body, "body of max_stress");
+    v.text("pair", self.pair, "contact pair of contact_force");
+  }
+};
+
+enum class Control { volume, pressure, ramp, load, arc_length };
+
+/// How the path is driven. Load factor: 0 to 1 over the run under `load`; under the other controls it brings gravity,
+/// loads and moved supports in during the first stretch, before the cavity is driven.
+struct Path {
+  Control control = Control::volume;
+  double volume_rate = 6;         // V0 per second
+  double volume_max = infinity;   // V / V0
+  double pressure_rate = 0.08;    // MPa / s
+  double pressure_max = infinity; // MPa
+  double initial_pressure = 0;    // MPa, reached together with the full load factor
+  double preload_time = 10;       // s: long against every relaxation time, so the preload is quasi-static
+  int preload_steps = 4;
+  int load_steps = 10;
+  bool inertia = true;
+  double step_initial = 2e-3, step_min = 1e-6, step_max = 2e-2; // s (fraction of the run under `load`)
+  int max_steps = 1000;
+  double time_limit = infinity; // s of wall time
+  int checkpoint_every = 10;    // steps
+  template <class Self, class Visitor>
+  static void fields(Self &self, Visitor &v)
+  {
+    v.choice("control", self.control,
+             {{"volume", Control::volume},
+              {"pressure", Control::pressure},
+              {"ramp", Control::ramp},
+              {"load", Control::load},
+              {"arc_length", Control::arc_length}},
+             "what is prescribed: cavity volume, cavity pressure (quasi-static), pressure ramp in time (with inertia), "
+             "load factor (no cavity)");
+    v.quantity("volume_rate", self.volume_rate, "1/s", 1e-6, 1e6, "growth of V / V0 per second of pseudo-time");
+    v.quantity("volume_max", self.volume_max, "1", 1, 1e6, "the path ends at this V / V0");
+    v.quantity("pressure_rate", self.pressure_rate, "MPa/s", 1e-9, 1e6,
+               "growth of the pressure under pressure and ramp");
+    v.quantity("pressure_max", self.pressure_max, "MPa", 0, 1e6,
+               "the path ends when the running maximum of the pressure passes this");
+    v.quantity("initial_pressure", self.initial_pressure, "MPa", 0, 1e3, "reached together with the preload");
+    v.quantity("preload_time", self.preload_time, "s", 1e-6, 1e9, "pseudo-time over which gravity comes in");
+    v.count("preload_steps", self.preload_steps, 1, 1000, "first guess of the number of preload steps");
+    v.count("load_steps", self.load_steps, 1, 100000, "first guess of the number of steps under load control");
+    v.flag("inertia", self.inertia, "with mass (lumped); without, the path is driven by viscosity alone");
+    v.quantity("step_initial", self.step_initial, "s", 1e-9, 1e3, "first time step after the preload");
+    v.quantity("step_min", self.step_min, "s", 1e-12, 1e3, "smallest time step; below it the path has diverged");
+    v.quantity("step_max", self.step_max, "s", 1e-9, 1e9, "largest time step");
+    v.count("max_steps", self.max_steps, 1, 1000000, "the path ends after so many steps");
+    v.quantity("time_limit", self.time_limit, "s", 0, 1e9, "wall time after which the path ends");
+    v.count("checkpoint_every", self.checkpoint_every, 1, 1000000, "steps between checkpoints");
+  }
+};
+
+struct Newton {
+  double tolerance = 1e-6;
+  double force_floor = 0.5; // N
+  int max_iterations = 25;
+  template <class Self, class Visitor>
+  static void fields(Self &self, Visitor &v)
+  {
+    v.quantity("tolerance", self.tolerance, "1", 1e-14, 1e-2,
+               "residual norm relative to the norm of the applied forces");
+    v.quantity("force_floor", self.force_floor, "N", 0, 1e9, "smallest force scale the residual is compared with");
+    v.count("max_iterations", self.max_iterations, 1, 1000, "iterations before a step is cut");
+  }
+};
+
+/// One simulation.
+struct Parameters {
+  std::vector<Material> materials;
+  std::vector<Body> bodies;
+  std::vector<Support> supports;
+  std::optional<Cavity> cavity;
+  std::vector<Load> loads;
+  std::vector<ContactPair> contact_pairs;
+  std::vector<Response> responses;
+  Vector3 gravity = {0, 0, 0}; // mm/s^2
+  Path path;
+  Newton newton;
+};
+
+} // namespace ballonet::solver

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+#include "solver/contact_search.h"
+#include "solver/contact_surface.h"
+#include "solver/parameters.h"
+
+namespace ballonet::solver
+{
+
+/// A node of one body that lies inside the other one, or beyond its wall.
+struct Violation {
+  Node node;
+  Vector3 position; ///< mm
+  double depth;     ///< mm, distance to the surface it went through
+  std::string body; ///< the body it got into
+};
+
+/// Looks for tunnelling: the contact energy vanishes when a body has passed between the contact points, and the
+/// equations still converge. Independent of the contact's pairing and quadrature points.
+///
+/// Nodes on the free surface of the primary bodies are tested against the secondary surface, which must enclose its
+/// body and may be open at symmetry planes and clamped rings: whatever lies on its inner side has gone through, however
+/// far. Nodes of the secondary surface are tested against the cells of the primary bodies. Nodes that belong to both
+/// bodies are left out.
+class PenetrationCheck
+{
+public:
+  /// `mesh` must outlive this. `tolerance`: depth in mm that soft contact is allowed.
+  PenetrationCheck(const Mesh &mesh, const ContactPair &pair, double tolerance);
+
+  std::vector<Violation> find(const State &) const;
+
+private:
+  struct Shell { ///< one face of a surface
+    Face face;
+    std::array<Node, 9> nodes;
+    std::array<bool, 4> open; ///< sides (low 0, high 0, low 1, high 1) with no further face of the surface
+  };
+
+  const Mesh &mesh_;
+  double tolerance_;
+  std::vector<Shell> secondary_, primary_;
+  std::vector<Node> secondary_nodes_, primary_nodes_;
+  std::vector<std::uint32_t> primary_cells_;
+
+  static std::vector<Shell> shells(const Mesh &, const std::vector<std::string> &names);
+  void find_through_wall(const contact::CurrentPosition &, std::vector<Violation> &) const;
+  void find_in_cells(const contact::CurrentPosition &, std::vector<Violation> &) const;
+  Violation violation(Node, const contact::Point3 &, double depth, std::uint32_t cell) const;
+};
+
+} // namespace ballonet::solver

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+#include <cstdint>
+#include <vector>
+
+namespace ballonet::solver
+{
+
+using Node = std::uint32_t;
+
+/// Where the system is. Every rank holds all of it: a mesh has 1e4 to 1e5 nodes, and contact needs them all.
+struct State {
+  std::vector<double> displacement; ///< mm, three per node in mesh order
+  std::vector<double> velocity;     ///< mm/s, likewise; of the last converged step
+  double pressure = 0;              ///< MPa, of the cavity
+  double time = 0;                  ///< s of pseudo-time
+};
+
+/// What one step is asked to reach.
+struct Step {
+  double dt = 0;          ///< s
+  double load_factor = 1; ///< of gravity, loads and moved supports at the end of the step
+  bool inertia = false;   ///< with mass
+};
+
+} // namespace ballonet::solver

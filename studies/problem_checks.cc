@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "studies/problem_checks.h"
+#include "geometry/parameter_check.h"
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+namespace ballonet::studies
+{
+namespace
+{
+
+void check_material(const std::string &name, const std::string &key, const Study &study, const TomlDocument &document)
+{
+  std::vector<std::string> known;
+  for (const solver::Material &m : study.materials)
+    known.push_back(m.name);
+  if (std::find(known.begin(), known.end(), name) == known.end())
+    throw document.error(key, "\"" + name + "\"", "the name of a [material.X] block", nearest_hint(name, known));
+}
+
+std::string element(const std::string &list, std::size_t i) { return list + "[" + std::to_string(i) + "]"; }
+
+void check_file(const Study &study, const TomlDocument &document)
+{
+  const std::string &file = study.actuator.file;
+  if (file.empty())
+    throw document.error("actuator", "kind \"mesh\" without file", "file = \"part.msh\"");
+  if (!std::filesystem::is_regular_file(file))
+    throw document.error("actuator.file", "\"" + file + "\", which does not exist", "a gmsh file");
+}
+
+void check_bodies(const Study &study, const TomlDocument &document)
+{
+  if (study.bodies.empty())
+    throw document.error("body", "a study of kind mesh without bodies", "a block [[body]] for each physical volume");
+  std::set<std::string> names;
+  for (std::size_t i = 0; i < study.bodies.size(); ++i) {
+    const std::string key = element("body", i);
+    check_material(study.bodies[i].material, key + ".material", study, document);
+    if (study.bodies[i].name.empty() || !names.insert(study.bodies[i].name).second)
+      throw document.error(key, "a body with no name or a name used before", "a name of its own");
+  }
+}
+
+void check_control(const Study &study, const TomlDocument &document)
+{
+  if (study.cavities.size() > 1)
+    throw document.error("cavity[1]", "a second cavity", "one cavity");
+  if (study.cavities.empty() && study.path.control != solver::Control::load)
+    throw document.error("path.control", "a control that needs a cavity", "load, or a block [[cavity]]");
+}
+
+void check_response(const solver::Response &r, const std::string &key, const Study &study, const TomlDocument &document)
+{
+  using Kind = solver::ResponseKind;
+  const bool located = r.kind == Kind::displacement || r.kind == Kind::position;
+  if (located && r.surface.empty() == !r.point)
+    throw document.error(key, "not exactly one of surface and point", "either surface or point");
+  if (r.kind == Kind::reaction && r.surface.empty())
+    throw document.error(key, "a reaction without surface", "a surface that is held");
+  const std::vector<std::string> components = {"x", "y", "z", "magnitude"};
+  if (std::find(components.begin(), components.end(), r.component) == components.end())
+    throw document.error(key + ".component", "\"" + r.component + "\"", "x | y | z | magnitude");
+  const auto has_name = [](const auto &name) { return [&](const auto &item) { return item.name == name; }; };
+  const auto &bodies = study.bodies;
+  if (r.kind == Kind::max_stress && std::none_of(bodies.begin(), bodies.end(), has_name(r.body)))
+    throw document.error(key + ".body", "\"" + r.body + "\"", "the name of a [[body]]");
+  const auto &pairs = study.contact_pairs;
+  if (r.kind == Kind::contact_force && std::none_of(pairs.begin(), pairs.end(), has_name(r.pair)))
+    throw document.error(key + ".pair", "\"" + r.pair + "\"", "the name of a [[contact_pair]]");
+  if ((r.kind == Kind::volume || r.kind == Kind::pressure) && study.cavities.empty())
+    throw document.error(key + ".kind", "a response of a cavity", "a block [[cavity]]");
+}
+
+void check_responses(const Study &study, const TomlDocument &document)
+{
+  std::set<std::string> names;
+  for (std::size_t i = 0; i < study.responses.size(); ++i) {
+    const solver::Response &r = study.responses[i];
+    if (r.name.empty() || r.name.find_first_of(", \"\n") != std::string::npos || !names.insert(r.name).second)
+      throw document.error(element("response", i), "a name that is empty, used before, or has blanks or commas",
+                           "a name of its own");
+    check_response(r, element("response", i), study, document);
+  }
+}
+
+std::string document_key(const std::string &key) { return key.starts_with("mesh.") ? key : "actuator." + key; }
+
+/// The first pair of geometry parameters that contradict each other, placed at the one that stands in the file.
+void report(const std::vector<geometry::Problem> &problems, const TomlDocument &document)
+{
+  if (problems.empty())
+    return;
+  const std::string a = document_key(problems.front().key_a);
+  if (problems.front().key_b.empty())
+    throw document.error(a, problems.front().message, "a value that can be built");
+  const std::string b = document_key(problems.front().key_b);
+  const bool a_given = static_cast<bool>(toml::at_path(document.root(), a));
+  throw document.error(a_given ? a : b, problems.front().message,
+                       "values of " + a + " and " + b + " that fit together");
+}
+
+} // namespace
+
+void check_problem(const Study &study, const TomlDocument &document)
+{
+  check_file(study, document);
+  check_bodies(study, document);
+  check_control(study, document);
+  check_responses(study, document);
+}
+
+void check_actuator(const Study &study, const TomlDocument &document)
+{
+  check_material(study.actuator.balloon_material, "actuator.balloon_material", study, document);
+  if (study.actuator.kind == ActuatorKind::balloon)
+    return report(geometry::check(study.actuator.balloon.balloon), document);
+  check_material(study.actuator.backbone_material, "actuator.backbone_material", study, document);
+  report(geometry::check(study.actuator.pebs, study.mesh), document);
+}
+
+} // namespace ballonet::studies

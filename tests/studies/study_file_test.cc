@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "studies/content_hash.h"
+#include "studies/study_file.h"
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <fstream>
+
+using namespace ballonet::studies;
+
+namespace
+{
+
+const std::string search = R"(
+[study]
+name = "search"
+[actuator]
+kind = "pebs"
+[actuator.balloon]
+diameter = "7.2 mm"
+[material.latex]
+c10 = "140 kPa"
+[[variable]]
+key = "actuator.balloon.diameter"
+min = "6 mm"
+max = "0.8 cm"
+[[variable]]
+key = "actuator.ribs.count"
+min = 18
+max = 20
+[[variable]]
+key = "material.latex.c10"
+values = ["120 kPa", "160 kPa"]
+[[variable]]
+key = "contact.friction"
+min = 0.1
+max = 0.5
+[method]
+kind = "optimize"
+algorithm = "LN_COBYLA"
+[objective]
+response = "window_angle_deg"
+goal = "maximize"
+[[constraint]]
+response = "balloon_stress_max_MPa_max"
+max = 5.0
+)";
+
+/// A problem with a mesh; the file only has to exist.
+class MeshStudy
+{
+public:
+  MeshStudy() : folder_(std::filesystem::temp_directory_path() / "ballonet_mesh_study")
+  {
+    std::filesystem::create_directories(folder_);
+    std::ofstream(folder_ / "part.msh") << "a mesh";
+  }
+  ~MeshStudy() { std::filesystem::remove_all(folder_); }
+
+  StudyFile read(const std::string &more) const { return {(folder_ / "study.toml").string(), head + more}; }
+  void write_mesh(const std::string &text) const { std::ofstream(folder_ / "part.msh") << text; }
+
+private:
+  const std::string head = R"(
+[actuator]
+kind = "mesh"
+file = "part.msh"
+[material.rubber]
+law = "neo_hookean"
+c10 = "160 kPa"
+d1 = "5.2e-4 1/MPa"
+[[body]]
+name = "tube"
+material = "rubber"
+)";
+  std::filesystem::path folder_;
+};
+
+const std::string load_problem = R"(
+[[support]]
+surface = "base"
+fix = ["x", "y", "z"]
+[[load]]
+surface = "end"
+traction = ["0 MPa", "1 kPa", "0 MPa"]
+[[response]]
+name = "r"
+kind = "position"
+point = ["8 mm", "0 mm", "0 mm"]
+[path]
+control = "load"
+)";
+
+} // namespace
+
+TEST_CASE("an empty block [actuator] is the base design")
+{
+  const StudyFile file("study.toml", "[actuator]\n");
+  REQUIRE(file.study().actuator.kind == ActuatorKind::pebs);
+  REQUIRE(file.study().actuator.pebs.ribs.count == 20);
+  REQUIRE(file.study().gravity[2] == -9810);
+  REQUIRE(file.study().materials.size() == 2);
+  REQUIRE(file.space().size() == 0);
+}
+
+TEST_CASE("a block of a built-in material changes what it names and keeps the rest")
+{
+  const Study study = StudyFile("study.toml", search).study();
+  REQUIRE(study.materials[0].name == "latex");
+  REQUIRE(study.materials[0].c10 == 0.14);
+  REQUIRE(study.materials[0].density == 1.08e-9);
+}
+
+TEST_CASE("variables have the unit of their key and are set like any key")
+{
+  const StudyFile file("study.toml", search);
+  REQUIRE(file.space().size() == 4);
+  REQUIRE(file.space().variable(0).unit == "mm");
+  REQUIRE(file.space().variable(0).max == 8);
+  REQUIRE(file.space().variable(1).integer);
+  REQUIRE(file.space().variable(2).values == std::vector<double>{0.12, 0.16});
+  const Study study = file.with({6.5, 19, 0.12, 0.25});
+  REQUIRE(study.actuator.pebs.balloon.diameter == 6.5);
+  REQUIRE(study.actuator.pebs.ribs.count == 19);
+  REQUIRE(study.materials[0].c10 == 0.12);
+  REQUIRE(study.contact.friction == 0.25);
+  REQUIRE(file.study().actuator.pebs.balloon.diameter == 7.2);
+}
+
+TEST_CASE("the resolved study reads back to the identical text")
+{
+  for (const std::string &text : {search, std::string("[actuator]\nkind = \"balloon\"\n")}) {
+    const std::string resolved = resolved_text(StudyFile("study.toml", text).study());
+    REQUIRE(resolved_text(StudyFile("other.toml", resolved).study()) == resolved);
+    REQUIRE(resolved_text(StudyFile("other.toml", resolved + "[run]\nranks = 4\n").study()) == resolved);
+  }
+  const MeshStudy mesh;
+  const std::string resolved = resolved_text(mesh.read(load_problem).study());
+  REQUIRE(resolved_text(StudyFile("elsewhere/other.toml", resolved).study()) == resolved);
+}
+
+TEST_CASE("--set comes after the file, variables come after --set")
+{
+  const StudyFile file("study.toml", search, {{"actuator.balloon.diameter", "6.1 mm"}, {"contact.friction", "0.4"}});
+  REQUIRE(file.study().actuator.pebs.balloon.diameter == 6.1);
+  REQUIRE(file.study().contact.friction == 0.4);
+  REQUIRE(file.with({6.5, 19, 0.12, 0.25}).actuator.pebs.balloon.diameter == 6.5);
+}
+
+TEST_CASE("the content hash sees what changes the result and nothing else")
+{
+  const auto hash = [](const std::vector<Override> &overrides) {
+    return content_hash(StudyFile("study.toml", "[actuator]\n", overrides).study());
+  };
+  const std::string base = hash({});
+  REQUIRE(base.size() == 16);
+  REQUIRE(hash({{"actuator.balloon.diameter", "0.72 cm"}}) == base);
+  REQUIRE(hash({{"study.name", "other"}}) == base);
+  REQUIRE(hash({{"parallel.ranks_per_evaluation", "2"}}) == base);
+  REQUIRE(hash({{"actuator.balloon.diameter", "7.3 mm"}}) != base);
+  REQUIRE(hash({{"newton.tolerance", "1e-7"}}) != base);
+  REQUIRE(text_hash("") == "cbf29ce484222325"); // published FNV-1a test vectors
+  REQUIRE(text_hash("a") == "af63dc4c8601ec8c");
+  REQUIRE(text_hash("foobar") == "85944171f73967e8");
+}
+
+TEST_CASE("the content hash sees the content of a mesh file")
+{
+  const MeshStudy mesh;
+  const std::string first = content_hash(mesh.read(load_problem).study());
+  mesh.write_mesh("another mesh");
+  REQUIRE(content_hash(mesh.read(load_problem).study()) != first);
+}
+
+TEST_CASE("contradictions between blocks are refused at their key")
+{
+  struct Row {
+    const char *more, *part;
+  };
+  const MeshStudy mesh;
+  const Row rows[] = {
+      {"[path]\ncontrol = \"volume\"", "[[cavity]]"},
+      {"[[body]]\nname = \"b\"\nmaterial = \"ruber\"\n[path]\ncontrol = \"load\"", "body[1].material: given \"ruber\""},
+      {"[[body]]\nname = \"tube\"\nmaterial = \"rubber\"\n", "a name used before"},
+      {"[[cavity]]\nsurface = \"a\"\n[[cavity]]\nsurface = \"b\"", "one cavity"},
+      {"[[response]]\nname = \"r\"\n[path]\ncontrol = \"load\"", "either surface or point"},
+      {"[[response]]\nname = \"r\"\nkind = \"max_stress\"\nbody = \"x\"\n[path]\ncontrol = \"load\"", "[[body]]"},
+      {"[material.m]\nlaw = \"saint_venant\"\nyoungs_modulus = \"1 MPa\"", "poisson_ratio"},
+      {"[judge]\nrib_opening = 0.1", "unknown key"},
+      {"[path]\ncontrol = \"load\"\n[objective]\nresponse = \"q\"", "a response of this study"},
+      {"[path]\ncontrol = \"load\"\n[[constraint]]\nresponse = \"q\"\nmin = 1.0", "a response of this study"},
+  };
+  for (const Row &row : rows) {
+    CAPTURE(row.more);
+    REQUIRE_THROWS_WITH(mesh.read(row.more), Catch::Contains(row.part));
+    REQUIRE_THROWS_AS(mesh.read(row.more), InputError);
+  }
+}
+
+TEST_CASE("contradictions of a search are refused at their key")
+{
+  struct Row {
+    std::vector<Override> overrides;
+    const char *part;
+  };
+  const Row rows[] = {
+      {{{"variable[0].key", "actuator.balloon.diamter"}}, "nearest known: actuator.balloon.diameter"},
+      {{{"variable[0].key", "study.name"}}, "one number"},
+      {{{"variable[0].min", "9 mm"}}, "less than max"},
+      {{{"variable[0].min", "6 kPa"}}, "measures something else"},
+      {{{"variable[0].min", "0 mm"}}, "actuator.balloon.diameter"},
+      {{{"variable[0].max", "inf"}}, "a number with a unit"},
+      {{{"variable[2].min", "100 kPa"}}, "either both min and max, or a list of values"},
+      {{{"variable[1].key", "actuator.balloon.diameter"}, {"variable[1].min", "1 mm"}, {"variable[1].max", "2 mm"}},
+       "different keys"},
+      {{{"method.algorithm", "LN_COBYLLA"}}, "LN_COBYLA"},
+      {{{"method.kind", "map"}}, "not available in this version"},
+      {{{"method.kind", "solve"}}, "variables in a study that only solves"},
+      {{{"objective.response", "window_angle"}}, "nearest known: window_angle_deg"},
+      {{{"constraint[0].min", "9.0"}}, "min at most max"},
+      {{{"actuator.kind", "pba"}}, "balloon"},
+      {{{"actuator.balloon_material", "latx"}}, "nearest known: latex"},
+      {{{"material.latex.youngs_modulus", "1 MPa"}}, "c10 together with youngs_modulus"},
+  };
+  for (const Row &row : rows) {
+    CAPTURE(row.overrides[0].key, row.overrides[0].value);
+    REQUIRE_THROWS_WITH(StudyFile("study.toml", search, row.overrides), Catch::Contains(row.part));
+    REQUIRE_THROWS_AS(StudyFile("study.toml", search, row.overrides), InputError);
+  }
+}
+
+TEST_CASE("describe knows every key with unit and help")
+{
+  const auto rows = describe_all_keys();
+  for (const KeyDescription &row : rows) {
+    CAPTURE(row.key);
+    REQUIRE(row.help.size() > 5);
+    REQUIRE_FALSE(row.type.empty());
+    const bool dimensional = row.type == "quantity" || row.type == "list of quantities";
+    REQUIRE((!dimensional || !row.unit.empty()));
+  }
+  const auto has = [&](const std::string &key) {
+    return std::any_of(rows.begin(), rows.end(), [&](const auto &row) { return row.key == key; });
+  };
+  for (const char *key : {"study.name",
+                          "actuator.kind",
+                          "actuator.balloon.diameter",
+                          "actuator.ribs.gap",
+                          "actuator.file",
+                          "material.X.c10",
+                          "mesh.symmetry",
+                          "path.control",
+                          "newton.tolerance",
+                          "contact.friction",
+                          "judge.window_max",
+                          "variable[].key",
+                          "method.algorithm",
+                          "objective.response",
+                          "constraint[].max",
+                          "parallel.ranks_per_evaluation",
+                          "body[].material",
+                          "support[].move.x",
+                          "cavity[].surface",
+                          "load[].traction",
+                          "contact_pair[].secondary",
+                          "response[].kind",
+                          "gravity"}) {
+    CAPTURE(key);
+    REQUIRE(has(key));
+  }
+}

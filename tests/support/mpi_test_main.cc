@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#define CATCH_CONFIG_RUNNER
+#include <catch2/catch.hpp>
+#include <deal.II/base/mpi.h>
+
+int main(int argc, char *argv[])
+{
+  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  return Catch::Session().run(argc, argv);
+}
