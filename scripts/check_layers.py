@@ -42,7 +42,7 @@ SINGLE_PLACES = {"petscsnes.h": "solver/newton.cc", "nlopt.hpp": "optimize/optim
 
 MAINS = {"studies/main.cc"}
 STANDARD = re.compile(r"[a-z0-9_]+$")  # <vector>, <cmath>: no suffix, no folder
-SYSTEM = re.compile(r"(unistd|fcntl|sys/\w+)\.h$")
+SYSTEM = re.compile(r"(unistd|fcntl|spawn|sys/\w+)\.h$")
 FORBIDDEN_NAME = re.compile(r"^(util|helper|common|misc|manager)", re.IGNORECASE)
 # Whole words, and words inside snake_case and CamelCase names.
 FORBIDDEN_WORD = re.compile(r"((?<![A-Za-z])(?:rib|balloon|design)s?(?![a-z])|(?:Rib|Balloon|Design)s?(?![a-z]))")

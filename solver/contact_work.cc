@@ -40,7 +40,7 @@ ContactSummary &ContactSummary::operator+=(const ContactSummary &other)
 ContactWork::ContactWork(const Mesh &mesh, const ContactPair &pair,
                          const std::function<bool(std::uint32_t cell)> &owned, const ContactOptions &options)
     : pairing_(mesh, pair, owned, options.margin), law_{pair.stiffness, pair.onset}, options_(options),
-      friction_(pair.friction), n_primary_surfaces_(pair.primary.size()),
+      friction_(pair.friction), slip_velocity_(pair.slip_velocity), n_primary_surfaces_(pair.primary.size()),
       stored_pressure_(pairing_.faces().size() * n_face_points, 0.)
 {
 }
@@ -66,7 +66,7 @@ void ContactWork::search(const State &state)
 void ContactWork::begin_step(const State &start, const Step &step)
 {
   search(start);
-  friction_law_.sticking_slip = std::max(options_.slip_velocity * step.dt, 1e-6);
+  friction_law_.sticking_slip = std::max(slip_velocity_ * step.dt, 1e-6);
   sliding_.clear();
   std::fill(stored_pressure_.begin(), stored_pressure_.end(), 0.);
   for_each_touching(start, [&](std::uint32_t index, const PairedPoint &p) {

@@ -10,7 +10,6 @@ namespace ballonet::solver
 
 struct ContactOptions {
   double margin = 1;         ///< mm beyond the contact distance within which points and patches are paired
-  double slip_velocity = 10; ///< mm/s, below which friction sticks
   int search_iterations = 6; ///< the pairing is frozen from this iteration of a step on
 };
 
@@ -52,7 +51,7 @@ public:
   void begin_iteration(const State &, int iteration) override;
   void add_couplings(std::vector<std::vector<Node>> &) const override;
   /// True when the last begin_step or begin_iteration brought pairs within reach that had never been before.
-  bool couplings_changed() const { return couplings_changed_; }
+  bool couplings_changed() const override { return couplings_changed_; }
 
   double energy(const State &) const override;
   void residual(const State &, Assembly &) const override;
@@ -70,7 +69,7 @@ private:
   contact::ContactPairing pairing_;
   ContactLaw law_;
   ContactOptions options_;
-  double friction_;
+  double friction_, slip_velocity_;
   std::size_t n_primary_surfaces_;
   bool couplings_changed_ = false;
   contact::FrictionLaw friction_law_ = {1};

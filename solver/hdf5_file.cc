@@ -36,6 +36,23 @@ bool Hdf5File::has(const std::string &object) const
   return H5Lexists(file_, object.c_str(), H5P_DEFAULT) > 0;
 }
 
+std::vector<std::string> Hdf5File::names(const std::string &group) const
+{
+  std::vector<std::string> names;
+  const auto collect = [](hid_t, const char *name, const H5L_info_t *, void *list) -> herr_t {
+    static_cast<std::vector<std::string> *>(list)->emplace_back(name);
+    return 0;
+  };
+  check(H5Literate_by_name(file_, group.c_str(), H5_INDEX_NAME, H5_ITER_INC, nullptr, collect, &names, H5P_DEFAULT),
+        "list " + group);
+  return names;
+}
+
+void Hdf5File::remove(const std::string &object)
+{
+  check(H5Ldelete(file_, object.c_str(), H5P_DEFAULT), "remove " + object);
+}
+
 void Hdf5File::write(const std::string &dataset, hid_t type, const void *values, std::size_t size, std::size_t columns)
 {
   const hsize_t extent[2] = {size / columns, columns};

@@ -21,6 +21,9 @@ public:
 
   void create_group(const std::string &group);
   bool has(const std::string &object) const;
+  /// Names in a group, ascending.
+  std::vector<std::string> names(const std::string &group) const;
+  void remove(const std::string &object);
   /// Data sets of rows x columns (one-dimensional when columns == 1).
   void write(const std::string &dataset, std::span<const double> values, std::size_t columns = 1);
   void write(const std::string &dataset, std::span<const float> values, std::size_t columns = 1);

@@ -26,6 +26,10 @@ struct NewtonSolver::Implementation {
   Outcome outcome;
   double held_miss = 0, residual_norm = 0, force_scale = 0;
   int small_steps = 0;
+  double first_size = 0, last_size = 0; ///< largest component of the first and last increment, mm
+  bool struggling = false;              ///< the increments do not shrink
+  int struggles = 0;                    ///< iterations in which they did not
+  bool new_couplings = false;
 
   Implementation(LinearSystem &system, std::vector<VirtualWork *> works, CavityWork *cavity, MPI_Comm comm,
                  const Newton &parameters);
@@ -45,6 +49,7 @@ struct NewtonSolver::Implementation {
   void solve_bordered(Vec f, Vec y);
   void update(Vec x, Vec y);
   void assemble_residual();
+  double capped(const std::vector<double> &increment, double fraction);
   double search(const std::vector<double> &increment, double pressure_increment, double fraction);
   SNESConvergedReason judge(int iteration);
   void begin_iteration(int iteration);
@@ -211,10 +216,13 @@ void NewtonSolver::Implementation::evaluate(Vec out)
 
 bool NewtonSolver::Implementation::linearise()
 {
-  std::vector<std::vector<Node>> couplings;
-  for (const auto *work : works)
-    work->add_couplings(couplings);
-  system.couple(couplings);
+  if (new_couplings) {
+    std::vector<std::vector<Node>> couplings;
+    for (const auto *work : works)
+      work->add_couplings(couplings);
+    system.couple(couplings);
+    new_couplings = false;
+  }
   if (!system.factorise(works, *state)) {
     outcome.reason = "the factorisation of the tangent failed";
     return false;
@@ -242,14 +250,31 @@ void NewtonSolver::Implementation::solve_bordered(Vec f, Vec y)
   combine(u, pressure, y);
 }
 
-/// Shortens a step along which the potential's slope does not come down. The first iterations go without: there the
-/// slope of a nearly incompressible body rises by orders of magnitude after a perfect step.
+/// An increment far beyond the first one of the step comes from a tangent that is nearly singular: it is cut down.
+double NewtonSolver::Implementation::capped(const std::vector<double> &increment, double fraction)
+{
+  constexpr double growth = 2;
+  double size = 0;
+  for (const double value : increment)
+    size = std::max(size, std::abs(value));
+  if (outcome.residuals.size() == 1)
+    first_size = size;
+  struggling = outcome.residuals.size() > 2 && size > 0.5 * last_size;
+  struggles += struggling;
+  if (outcome.residuals.size() > 1 && size > growth * first_size)
+    fraction = std::min(fraction, growth * first_size / size);
+  last_size = fraction * size;
+  return fraction;
+}
+
+/// Shortens a step along which the potential's slope does not come down. While the increments shrink it is left alone:
+/// the slope of a nearly incompressible body rises by orders of magnitude after a perfect step.
 double NewtonSolver::Implementation::search(const std::vector<double> &increment, double pressure_increment,
                                             double fraction)
 {
-  constexpr int first_iteration = 6, trials = 4;
+  constexpr int trials = 4;
   constexpr double enough = 0.8;
-  if (static_cast<int>(outcome.residuals.size()) <= first_iteration)
+  if (!struggling)
     return fraction;
   const State start = *state;
   double slope_at_start;
@@ -282,7 +307,7 @@ void NewtonSolver::Implementation::update(Vec x, Vec y)
   for (const auto *work : works)
     fraction = std::min(fraction, work->largest_step(*state, increment));
   MPI_Allreduce(MPI_IN_PLACE, &fraction, 1, MPI_DOUBLE, MPI_MIN, comm);
-  fraction = search(increment, -pressure_of(y), fraction);
+  fraction = search(increment, -pressure_of(y), capped(increment, fraction));
   for (auto *work : works)
     work->advance(*state, increment, fraction);
   petsc(VecAXPY(x, -fraction, y));
@@ -296,8 +321,12 @@ void NewtonSolver::Implementation::update(Vec x, Vec y)
 
 void NewtonSolver::Implementation::begin_iteration(int iteration)
 {
-  for (auto *work : works)
+  for (auto *work : works) {
+    new_couplings = new_couplings || work->couplings_changed(); // by begin_step
     work->begin_iteration(*state, iteration);
+    new_couplings = new_couplings || work->couplings_changed();
+  }
+  MPI_Allreduce(MPI_IN_PLACE, &new_couplings, 1, MPI_CXX_BOOL, MPI_LOR, comm);
 }
 
 SNESConvergedReason NewtonSolver::Implementation::judge(int iteration)
@@ -314,8 +343,9 @@ SNESConvergedReason NewtonSolver::Implementation::judge(int iteration)
     outcome.converged = true;
     return SNES_CONVERGED_FNORM_RELATIVE;
   }
-  if (small_steps >= 4) {
-    outcome.reason = "four iterations in a row could take less than 5 % of their step";
+  if (small_steps >= 4 || struggles >= 8) {
+    outcome.reason = small_steps >= 4 ? "four iterations in a row could take less than 5 % of their step"
+                                      : "the increments do not shrink";
     return SNES_DIVERGED_LINE_SEARCH;
   }
   if (iteration >= parameters.max_iterations) {
@@ -338,7 +368,7 @@ NewtonSolver::Outcome NewtonSolver::solve(State &state, const Target &target)
   impl_->state = &state;
   impl_->target = target;
   impl_->outcome = {};
-  impl_->small_steps = 0;
+  impl_->small_steps = impl_->struggles = 0;
   impl_->system.scatter(state.displacement, impl_->u);
   impl_->combine(impl_->u, state.pressure, impl_->x);
   impl_->begin_iteration(0);

@@ -95,7 +95,8 @@ struct Load {
 struct ContactPair {
   std::string name;
   std::vector<std::string> secondary, primary;
-  double friction = 0.3, thickness = 0.35, stiffness = 9, onset = 0.06, penetration_limit = 0.15;
+  double friction = 0.3, thickness = 0.35, stiffness = 15, onset = 0.06, penetration_limit = 0.15;
+  double slip_velocity = 3; // mm/s
   template <class Self, class Visitor>
   static void fields(Self &self, Visitor &v)
   {
@@ -107,6 +108,8 @@ struct ContactPair {
                "how far the primary surface is moved back into its body; rounds its edges by the same radius");
     v.quantity("stiffness", self.stiffness, "MPa/mm", 0, 1e6, "contact pressure per penetration");
     v.quantity("onset", self.onset, "mm", 0, 1, "penetration over which the stiffness grows from zero");
+    v.quantity("slip_velocity", self.slip_velocity, "mm/s", 1e-6, 1e6,
+               "sliding speed at which friction is regularised: below it the surfaces stick elastically");
     v.quantity("penetration_limit", self.penetration_limit, "mm", 0, 10, "a step that ends deeper is rejected");
   }
 };

@@ -108,6 +108,39 @@ PenetrationCheck::PenetrationCheck(const Mesh &mesh, const ContactPair &pair, do
   for (std::uint32_t c = 0; c < mesh.cells.size(); ++c)
     if (primary_bodies[mesh.cell_body[c]])
       primary_cells_.push_back(c);
+  // what closes an open surface at rest (the base under a clamped ring) is not beyond it
+  overhang_.assign(primary_nodes_.size(), 0);
+  for (const Violation &v : find({std::vector<double>(3 * mesh.nodes.size()), {}, 0, 0})) {
+    std::erase(primary_nodes_, v.node);
+    std::erase(secondary_nodes_, v.node);
+  }
+  overhang_ = overhangs(pair);
+}
+
+std::vector<double> PenetrationCheck::overhangs(const ContactPair &pair) const
+{
+  const std::vector<double> rest(3 * mesh_.nodes.size());
+  const CurrentPosition position = {mesh_, rest};
+  const auto patches = primary_patches(mesh_, pair.primary, pair.thickness);
+  std::vector<PatchNodes> nodes;
+  std::vector<Box> boxes;
+  for (const PrimaryPatch &patch : patches) {
+    nodes.push_back(at_depth(patch, position));
+    boxes.push_back(enclosing_box(nodes.back()));
+  }
+  const BoxTree tree(std::move(boxes));
+  const double most = (std::sqrt(3.) - 1) * pair.thickness; // of a right-angled corner
+  std::vector<double> overhang;
+  for (const Node n : primary_nodes_) {
+    double outside = most, nearest = infinity;
+    tree.nearest(position(n), infinity, [&](std::uint32_t index, double) {
+      const double distance = closest_point(nodes[index], patches[index].range, position(n)).distance;
+      outside = std::min(outside, distance - patches[index].radius);
+      return nearest = std::min(nearest, distance);
+    });
+    overhang.push_back(std::max(outside, 0.));
+  }
+  return overhang;
 }
 
 Violation PenetrationCheck::violation(Node node, const Point3 &x, double depth, std::uint32_t cell) const
@@ -133,7 +166,8 @@ void PenetrationCheck::find_through_wall(const CurrentPosition &position, std::v
     boxes.push_back(enclosing_box(nodes.back()));
   }
   const BoxTree tree(std::move(boxes));
-  for (const Node n : primary_nodes_) {
+  for (std::size_t i = 0; i < primary_nodes_.size(); ++i) {
+    const Node n = primary_nodes_[i];
     const Point3 x = position(n);
     Nearest nearest;
     tree.nearest(x, infinity, [&](std::uint32_t index, double) {
@@ -149,7 +183,7 @@ void PenetrationCheck::find_through_wall(const CurrentPosition &position, std::v
       }
       return nearest.distance * (1 + 1e-6) + 1e-9;
     });
-    if (nearest.distance > tolerance_ && nearest.height < 0 && !nearest.beside_open_side)
+    if (nearest.distance > tolerance_ + overhang_[i] && nearest.height < 0 && !nearest.beside_open_side)
       violations.push_back(violation(n, x, nearest.distance, nearest.cell));
   }
 }

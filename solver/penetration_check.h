@@ -21,16 +21,20 @@ struct Violation {
 /// Nodes on the free surface of the primary bodies are tested against the secondary surface, which must enclose its
 /// body and may be open at symmetry planes and clamped rings: whatever lies on its inner side has gone through, however
 /// far. Nodes of the secondary surface are tested against the cells of the primary bodies. Nodes that belong to both
-/// bodies are left out.
+/// bodies, and nodes that lie on the inner side already at rest (what closes an open surface), are left out.
 class PenetrationCheck
 {
 public:
-  /// `mesh` must outlive this. `tolerance`: depth in mm that soft contact is allowed.
+  /// `mesh` must outlive this. `tolerance`: depth in mm that soft contact is allowed; nodes of convex edges and corners
+  /// may lie deeper by what the contact's rounding (radius = thickness of the pair) takes away from them.
   PenetrationCheck(const Mesh &mesh, const ContactPair &pair, double tolerance);
 
   std::vector<Violation> find(const State &) const;
 
 private:
+  /// How far a node of a sharp edge stands out of the rounded edges that the contact works with, mm at rest.
+  std::vector<double> overhangs(const ContactPair &) const;
+
   struct Shell { ///< one face of a surface
     Face face;
     std::array<Node, 9> nodes;
@@ -41,6 +45,7 @@ private:
   double tolerance_;
   std::vector<Shell> secondary_, primary_;
   std::vector<Node> secondary_nodes_, primary_nodes_;
+  std::vector<double> overhang_; ///< one per primary node: it may lie deeper by that
   std::vector<std::uint32_t> primary_cells_;
 
   static std::vector<Shell> shells(const Mesh &, const std::vector<std::string> &names);

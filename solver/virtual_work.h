@@ -32,7 +32,9 @@ public:
   /// Called before the assembly of iteration `iteration` (0, 1, ...); contact may search again in the first ones.
   virtual void begin_iteration(const State &, int /*iteration*/) {}
 
-  /// Sets of nodes this contribution couples beyond the cells' own; asked after begin_step and begin_iteration.
+  /// True when the last begin_step or begin_iteration needs couplings that were not announced before.
+  virtual bool couplings_changed() const { return false; }
+  /// Sets of nodes this contribution couples beyond the cells' own.
   virtual void add_couplings(std::vector<std::vector<Node>> &) const {}
 
   /// This rank's part of the incremental potential, N mm.

@@ -22,7 +22,7 @@ struct Invocation {
   MPI_Comm communicator;
   std::ostream &out, &err;
   std::string study;               ///< file
-  std::string directory;           ///< of results; empty: named after the study
+  std::string directory;           ///< of results; empty: results/NAME of the study file for a run, here for a mesh
   std::vector<Override> overrides; ///< --set
   bool resume = false, dry_run = false;
   std::string key;       ///< describe

@@ -27,6 +27,7 @@ std::string content_hash(const Study &study)
   physics.variables.clear();
   physics.objective.reset();
   physics.constraints.clear();
+  physics.output = {};
   physics.parallel = {};
   physics.path.checkpoint_every = solver::Path{}.checkpoint_every;
   if (!physics.actuator.file.empty())

@@ -19,6 +19,7 @@ struct Judge {
   double gap_ratio = 2.5, gap_ratio_angle = 180;
   double overload_angle = 90, overload_index = 1, overload_radius = 0.7;
   double normal_angle = 180;
+  double end_angle = 270;
 
   template <class Self, class Visitor>
   static void fields(Self &self, Visitor &v)
@@ -56,6 +57,7 @@ struct Judge {
                "overload: mean balloon radius below this share of the cage radius");
     v.quantity("normal_angle", self.normal_angle, "deg", 0, 1e3,
                "normal: at least this angle at the end of the window, else weak");
+    v.quantity("end_angle", self.end_angle, "deg", 0, 1e3, "the path ends here: the head meets the base");
   }
 };
 

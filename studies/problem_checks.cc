@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "studies/problem_checks.h"
+#include "geometry/boundary.h"
+#include "geometry/mesh_io.h"
 #include "geometry/parameter_check.h"
 #include <algorithm>
 #include <filesystem>
@@ -21,14 +23,50 @@ void check_material(const std::string &name, const std::string &key, const Study
 
 std::string element(const std::string &list, std::size_t i) { return list + "[" + std::to_string(i) + "]"; }
 
-void check_file(const Study &study, const TomlDocument &document)
+/// Reads the mesh file.
+geometry::Mesh checked_mesh(const Study &study, const TomlDocument &document)
 {
   const std::string &file = study.actuator.file;
   if (file.empty())
     throw document.error("actuator", "kind \"mesh\" without file", "file = \"part.msh\"");
   if (!std::filesystem::is_regular_file(file))
     throw document.error("actuator.file", "\"" + file + "\", which does not exist", "a gmsh file");
+  auto mesh = geometry::read_msh(file);
+  if (const auto *failure = std::get_if<geometry::MeshFailure>(&mesh))
+    throw document.error("actuator.file", "\"" + file + "\"", "a gmsh file of hexahedra", failure->reason);
+  return std::get<geometry::Mesh>(std::move(mesh));
 }
+
+/// Names of the mesh that the study uses.
+class MeshNames
+{
+public:
+  MeshNames(const geometry::Mesh &mesh, const TomlDocument &document) : mesh_(mesh), document_(document) {}
+
+  void check_surface(const std::string &name, const std::string &key) const
+  {
+    check(name, key, mesh_.surfaces, "a physical surface of the mesh");
+  }
+  void check_body(const std::string &name, const std::string &key) const
+  {
+    check(name, key, mesh_.bodies, "a physical volume of the mesh");
+  }
+
+private:
+  template <class Named>
+  void check(const std::string &name, const std::string &key, const std::vector<Named> &named,
+             const std::string &what) const
+  {
+    std::vector<std::string> known;
+    for (const Named &item : named)
+      known.push_back(item.name);
+    if (std::find(known.begin(), known.end(), name) == known.end())
+      throw document_.error(key, "\"" + name + "\"", what, nearest_hint(name, known));
+  }
+
+  const geometry::Mesh &mesh_;
+  const TomlDocument &document_;
+};
 
 void check_bodies(const Study &study, const TomlDocument &document)
 {
@@ -85,6 +123,31 @@ void check_responses(const Study &study, const TomlDocument &document)
   }
 }
 
+void check_names(const Study &study, const geometry::Mesh &mesh, const TomlDocument &document)
+{
+  const MeshNames names(mesh, document);
+  for (std::size_t i = 0; i < study.bodies.size(); ++i)
+    names.check_body(study.bodies[i].name, element("body", i) + ".name");
+  if (study.bodies.size() < mesh.bodies.size())
+    throw document.error("body", "fewer bodies than the mesh has physical volumes", "a block [[body]] for each");
+  const auto check_surfaces = [&](const auto &list, const std::string &key) {
+    for (std::size_t i = 0; i < list.size(); ++i)
+      names.check_surface(list[i].surface, element(key, i) + ".surface");
+  };
+  check_surfaces(study.supports, "support");
+  check_surfaces(study.cavities, "cavity");
+  check_surfaces(study.loads, "load");
+  for (std::size_t i = 0; i < study.contact_pairs.size(); ++i) {
+    for (const std::string &name : study.contact_pairs[i].secondary)
+      names.check_surface(name, element("contact_pair", i) + ".secondary");
+    for (const std::string &name : study.contact_pairs[i].primary)
+      names.check_surface(name, element("contact_pair", i) + ".primary");
+  }
+  for (std::size_t i = 0; i < study.responses.size(); ++i)
+    if (!study.responses[i].surface.empty())
+      names.check_surface(study.responses[i].surface, element("response", i) + ".surface");
+}
+
 std::string document_key(const std::string &key) { return key.starts_with("mesh.") ? key : "actuator." + key; }
 
 /// The first pair of geometry parameters that contradict each other, placed at the one that stands in the file.
@@ -105,8 +168,9 @@ void report(const std::vector<geometry::Problem> &problems, const TomlDocument &
 
 void check_problem(const Study &study, const TomlDocument &document)
 {
-  check_file(study, document);
+  const geometry::Mesh mesh = checked_mesh(study, document);
   check_bodies(study, document);
+  check_names(study, mesh, document);
   check_control(study, document);
   check_responses(study, document);
 }
@@ -117,6 +181,8 @@ void check_actuator(const Study &study, const TomlDocument &document)
   if (study.actuator.kind == ActuatorKind::balloon)
     return report(geometry::check(study.actuator.balloon.balloon), document);
   check_material(study.actuator.backbone_material, "actuator.backbone_material", study, document);
+  if (!study.actuator.pebs.with_balloon && study.path.control != solver::Control::load)
+    throw document.error("path.control", "a control that needs a balloon", "load, or actuator.with_balloon = true");
   report(geometry::check(study.actuator.pebs, study.mesh), document);
 }
 

@@ -43,6 +43,9 @@ Study default_study(ActuatorKind kind)
     return study;
   study.gravity = {0, 0, -9810};
   study.materials = {latex()};
+  study.path.pressure_max = study.judge.window_max;
+  study.path.volume_max = 15;
+  study.path.initial_pressure = 0.005; // keeps the empty balloon off a drooping cage
   if (kind == ActuatorKind::pebs)
     study.materials.push_back(tpu());
   return study;

@@ -30,6 +30,7 @@ enum class ActuatorKind { pebs, pba, gripper, balloon, mesh };
 struct Actuator {
   ActuatorKind kind = ActuatorKind::pebs;
   std::string balloon_material = "latex", backbone_material = "tpu";
+  bool head_held = false;
   geometry::Pebs pebs;
   geometry::BalloonAlone balloon;
   std::string file; // kind mesh
@@ -57,6 +58,7 @@ struct Actuator {
       v.text("balloon_material", self.balloon_material, "name of a [material.X] block, or built in: latex");
     if (self.kind == ActuatorKind::pebs) {
       v.text("backbone_material", self.backbone_material, "name of a [material.X] block, or built in: tpu");
+      v.flag("head_held", self.head_held, "the head disc is held where it is: tip_force_N is the blocked force");
       geometry::Pebs::fields(self.pebs, v);
     }
     if (self.kind == ActuatorKind::balloon)
@@ -66,7 +68,7 @@ struct Actuator {
 
 /// The block [contact]: the contact pairs of the built-in actuators.
 struct ContactDefaults {
-  double friction = 0.3, stiffness = 9, thickness = 0.35, onset = 0.06;
+  double friction = 0.3, stiffness = 9, thickness = 0.35, onset = 0.06, penetration_limit = 0.15;
 
   template <class Self, class Visitor>
   static void fields(Self &self, Visitor &v)
@@ -76,6 +78,18 @@ struct ContactDefaults {
     v.quantity("thickness", self.thickness, "mm", 0, 10,
                "how far a surface is moved back into its body; rounds its edges by the same radius");
     v.quantity("onset", self.onset, "mm", 0, 1, "penetration over which the stiffness grows from zero");
+    v.quantity("penetration_limit", self.penetration_limit, "mm", 0, 10, "a step that ends deeper is rejected");
+  }
+};
+
+/// The block [output].
+struct Output {
+  int shape_every = 5;
+
+  template <class Self, class Visitor>
+  static void fields(Self &self, Visitor &v)
+  {
+    v.count("shape_every", self.shape_every, 1, 1000000, "steps between the shapes kept in history.h5; the last is kept");
   }
 };
 
@@ -106,6 +120,7 @@ struct Study {
   Method method;
   std::optional<optimize::Objective> objective;
   std::vector<Constraint> constraints;
+  Output output;
   Parallel parallel;
   // kind mesh
   std::vector<solver::Body> bodies;
@@ -132,6 +147,7 @@ struct Study {
     v.group("method", self.method, "what is done with the variables");
     v.group("objective", self.objective, "the response that is to be made large or small");
     v.group_list("constraint", self.constraints, "bounds on responses");
+    v.group("output", self.output, "what is kept of a simulation");
     v.group("parallel", self.parallel, "use of MPI ranks");
   }
 

@@ -63,13 +63,11 @@ void check_wishes(const Study &study, const TomlDocument &document)
 
 void check_algorithm(const Study &study, const TomlDocument &document)
 {
-  const std::string &name = study.method.algorithm;
-  if (study.method.kind == MethodKind::sample && !name.empty() && name != "latin_hypercube" && name != "full_factorial")
-    throw document.error("method.algorithm", "\"" + name + "\"", "latin_hypercube | full_factorial");
-  if (study.method.kind != MethodKind::optimize || name.empty())
-    return;
+  const std::string &name = study.method.search.algorithm;
   try {
-    optimize::check(optimize::algorithm_named(name), study.variables.size(), study.constraints.size());
+    const optimize::Algorithm &algorithm = optimize::algorithm_named(name);
+    if (study.method.kind == MethodKind::optimize)
+      optimize::check(algorithm, study.variables.size(), study.constraints.size());
   } catch (const std::invalid_argument &e) {
     throw document.error("method.algorithm", "\"" + name + "\"", "an algorithm that can do this", e.what());
   }

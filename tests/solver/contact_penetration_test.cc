@@ -11,19 +11,22 @@ using namespace ballonet::tests;
 namespace
 {
 
-/// A closed plate of 6 x 6 x 0.4 mm, coarse, and a thin bar standing upright with its lower end at `height` over the
-/// plate's lower side and `x` from the plate's edge.
+/// A closed plate of 6 x 6 x 0.4 mm, coarse, and a thin bar standing upright above it, moved down until its lower end is
+/// at `height` over the plate's lower side, `x` from the plate's edge.
 ContactScene bar_and_plate(double height, double x = 2.95)
 {
   ContactScene scene;
   add_block(scene.mesh, "bar", {1, 1, 2}, [&](auto p) {
-    return std::array<double, 3>{x + 0.1 * p[0], 2.95 + 0.1 * p[1], height + 4 * p[2]};
+    return std::array<double, 3>{x + 0.1 * p[0], 2.95 + 0.1 * p[1], 1 + 4 * p[2]};
   });
+  const std::size_t bar_nodes = scene.mesh.nodes.size();
   add_block(scene.mesh, "plate", {2, 2, 1}, [](auto p) {
     return std::array<double, 3>{6 * p[0], 6 * p[1], 0.4 * p[2]};
   });
   scene.pair = {"pair", all_sides("plate"), all_sides("bar"), 0, 0.3, 9, 0.06};
   scene.state.displacement.assign(3 * scene.mesh.nodes.size(), 0.);
+  for (std::size_t n = 0; n < bar_nodes; ++n)
+    scene.state.displacement[3 * n + 2] = height - 1;
   return scene;
 }
 
@@ -71,7 +74,8 @@ TEST_CASE("beside an open side of the surface nothing is reported")
 
 TEST_CASE("a secondary node inside a primary cell is found")
 {
-  const ContactScene scene = contact_scene(Vector({1, 1, 0.7}), Vector({0, 0, 1}), 1.2, 0);
+  ContactScene scene = contact_scene(Vector({1, 1, 1.2}), Vector({0, 0, 1}), 1.2, 0);
+  scene.state = with_plate_moved(scene, Vector({0, 0, -0.5}));
   const auto found = violations(scene);
   const auto in_block = std::count_if(found.begin(), found.end(), [](const Violation &v) { return v.body == "block"; });
   CHECK(in_block == 9);

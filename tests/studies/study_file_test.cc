@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "mesh_study.h"
 #include "studies/content_hash.h"
 #include "studies/study_file.h"
 #include <algorithm>
 #include <catch2/catch.hpp>
-#include <filesystem>
-#include <fstream>
 
 using namespace ballonet::studies;
 
@@ -46,50 +45,20 @@ response = "balloon_stress_max_MPa_max"
 max = 5.0
 )";
 
-/// A problem with a mesh; the file only has to exist.
+/// The bar with more blocks.
 class MeshStudy
 {
 public:
-  MeshStudy() : folder_(std::filesystem::temp_directory_path() / "ballonet_mesh_study")
+  MeshStudy() { write_mesh(4); }
+  StudyFile read(const std::string &more = "") const
   {
-    std::filesystem::create_directories(folder_);
-    std::ofstream(folder_ / "part.msh") << "a mesh";
+    return {(folder_.path / "study.toml").string(), ballonet::tests::bar_study + more};
   }
-  ~MeshStudy() { std::filesystem::remove_all(folder_); }
-
-  StudyFile read(const std::string &more) const { return {(folder_ / "study.toml").string(), head + more}; }
-  void write_mesh(const std::string &text) const { std::ofstream(folder_ / "part.msh") << text; }
+  void write_mesh(double length) const { ballonet::tests::write_bar(folder_.path / "bar.msh", length); }
 
 private:
-  const std::string head = R"(
-[actuator]
-kind = "mesh"
-file = "part.msh"
-[material.rubber]
-law = "neo_hookean"
-c10 = "160 kPa"
-d1 = "5.2e-4 1/MPa"
-[[body]]
-name = "tube"
-material = "rubber"
-)";
-  std::filesystem::path folder_;
+  ballonet::tests::Folder folder_{"study_file"};
 };
-
-const std::string load_problem = R"(
-[[support]]
-surface = "base"
-fix = ["x", "y", "z"]
-[[load]]
-surface = "end"
-traction = ["0 MPa", "1 kPa", "0 MPa"]
-[[response]]
-name = "r"
-kind = "position"
-point = ["8 mm", "0 mm", "0 mm"]
-[path]
-control = "load"
-)";
 
 } // namespace
 
@@ -135,7 +104,7 @@ TEST_CASE("the resolved study reads back to the identical text")
     REQUIRE(resolved_text(StudyFile("other.toml", resolved + "[run]\nranks = 4\n").study()) == resolved);
   }
   const MeshStudy mesh;
-  const std::string resolved = resolved_text(mesh.read(load_problem).study());
+  const std::string resolved = resolved_text(mesh.read().study());
   REQUIRE(resolved_text(StudyFile("elsewhere/other.toml", resolved).study()) == resolved);
 }
 
@@ -167,9 +136,9 @@ TEST_CASE("the content hash sees what changes the result and nothing else")
 TEST_CASE("the content hash sees the content of a mesh file")
 {
   const MeshStudy mesh;
-  const std::string first = content_hash(mesh.read(load_problem).study());
-  mesh.write_mesh("another mesh");
-  REQUIRE(content_hash(mesh.read(load_problem).study()) != first);
+  const std::string first = content_hash(mesh.read().study());
+  mesh.write_mesh(5);
+  REQUIRE(content_hash(mesh.read().study()) != first);
 }
 
 TEST_CASE("contradictions between blocks are refused at their key")
@@ -179,22 +148,38 @@ TEST_CASE("contradictions between blocks are refused at their key")
   };
   const MeshStudy mesh;
   const Row rows[] = {
-      {"[path]\ncontrol = \"volume\"", "[[cavity]]"},
-      {"[[body]]\nname = \"b\"\nmaterial = \"ruber\"\n[path]\ncontrol = \"load\"", "body[1].material: given \"ruber\""},
-      {"[[body]]\nname = \"tube\"\nmaterial = \"rubber\"\n", "a name used before"},
-      {"[[cavity]]\nsurface = \"a\"\n[[cavity]]\nsurface = \"b\"", "one cavity"},
-      {"[[response]]\nname = \"r\"\n[path]\ncontrol = \"load\"", "either surface or point"},
-      {"[[response]]\nname = \"r\"\nkind = \"max_stress\"\nbody = \"x\"\n[path]\ncontrol = \"load\"", "[[body]]"},
+      {"[[body]]\nname = \"b\"\nmaterial = \"ruber\"", "body[1].material: given \"ruber\""},
+      {"[[body]]\nname = \"bar\"\nmaterial = \"rubber\"\n", "a name used before"},
+      {"[[body]]\nname = \"b\"\nmaterial = \"rubber\"\n", "a physical volume of the mesh"},
+      {"[[cavity]]\nsurface = \"x0\"\n[[cavity]]\nsurface = \"x1\"", "one cavity"},
+      {"[[cavity]]\nsurface = \"x2\"", "cavity[0].surface: given \"x2\"; allowed: a physical surface"},
+      {"[[response]]\nname = \"r\"", "either surface or point"},
+      {"[[response]]\nname = \"end\"\nsurface = \"x0\"", "a name of its own"},
+      {"[[response]]\nname = \"r\"\nkind = \"max_stress\"\nbody = \"x\"", "[[body]]"},
+      {"[[response]]\nname = \"r\"\nkind = \"contact_force\"\npair = \"x\"", "[[contact_pair]]"},
+      {"[[response]]\nname = \"r\"\nkind = \"volume\"", "[[cavity]]"},
       {"[material.m]\nlaw = \"saint_venant\"\nyoungs_modulus = \"1 MPa\"", "poisson_ratio"},
       {"[judge]\nrib_opening = 0.1", "unknown key"},
-      {"[path]\ncontrol = \"load\"\n[objective]\nresponse = \"q\"", "a response of this study"},
-      {"[path]\ncontrol = \"load\"\n[[constraint]]\nresponse = \"q\"\nmin = 1.0", "a response of this study"},
+      {"[objective]\nresponse = \"q\"", "a response of this study"},
+      {"[[constraint]]\nresponse = \"q\"\nmin = 1.0", "a response of this study"},
   };
   for (const Row &row : rows) {
     CAPTURE(row.more);
     REQUIRE_THROWS_WITH(mesh.read(row.more), Catch::Contains(row.part));
     REQUIRE_THROWS_AS(mesh.read(row.more), InputError);
   }
+}
+
+TEST_CASE("a problem without cavity needs load control, a file has to be a mesh")
+{
+  const ballonet::tests::Folder folder("wrong_mesh");
+  folder.write("bar.msh", "no mesh");
+  REQUIRE_THROWS_WITH(StudyFile((folder.path / "study.toml").string(), ballonet::tests::bar_study),
+                      Catch::Contains("actuator.file") && Catch::Contains("a gmsh file of hexahedra"));
+  ballonet::tests::write_bar(folder.path / "bar.msh", 4);
+  REQUIRE_THROWS_WITH(StudyFile((folder.path / "study.toml").string(), ballonet::tests::bar_study,
+                                {{"path.control", "volume"}}),
+                      Catch::Contains("[[cavity]]"));
 }
 
 TEST_CASE("contradictions of a search are refused at their key")

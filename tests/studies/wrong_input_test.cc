@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "mesh_study.h"
 #include "studies/command_line.h"
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <filesystem>
-#include <fstream>
 #include <sstream>
 
 using namespace ballonet::studies;
@@ -23,25 +23,7 @@ Outcome run_program(const std::vector<std::string> &arguments)
   return {code, out.str(), err.str()};
 }
 
-/// A folder for the study and its results, gone at the end.
-class Folder
-{
-public:
-  Folder() : path(std::filesystem::temp_directory_path() / "ballonet_wrong_input")
-  {
-    std::filesystem::remove_all(path);
-    std::filesystem::create_directories(path);
-  }
-  ~Folder() { std::filesystem::remove_all(path); }
-
-  std::string write(const std::string &text) const
-  {
-    std::ofstream(path / "study.toml", std::ios::binary) << text;
-    return (path / "study.toml").string();
-  }
-
-  const std::filesystem::path path;
-};
+using ballonet::tests::Folder;
 
 struct WrongStudy {
   const char *name;
@@ -84,11 +66,11 @@ const std::vector<WrongStudy> wrong_studies = {
 
 TEST_CASE("a wrong study ends with exit code 2, one clear message and no results directory")
 {
-  const Folder folder;
+  const Folder folder("wrong_input");
   for (const WrongStudy &wrong : wrong_studies)
     for (const std::string command : {"check", "run", "mesh"}) {
       CAPTURE(wrong.name, command);
-      std::vector<std::string> arguments = {command, folder.write(wrong.text)};
+      std::vector<std::string> arguments = {command, folder.write("study.toml", wrong.text)};
       if (command != "check")
         arguments.insert(arguments.end(), {"-o", (folder.path / "results").string()});
       const Outcome outcome = run_program(arguments);
@@ -104,15 +86,15 @@ TEST_CASE("a wrong study ends with exit code 2, one clear message and no results
 
 TEST_CASE("a missing study and a folder as study are wrong input")
 {
-  const Folder folder;
+  const Folder folder("wrong_input");
   REQUIRE(run_program({"check", (folder.path / "nothing.toml").string()}).code == 2);
   REQUIRE_THAT(run_program({"check", folder.path.string()}).err, Catch::Contains("a folder"));
 }
 
 TEST_CASE("mistakes on the command line are wrong input")
 {
-  const Folder folder;
-  const std::string study = folder.write("[actuator]\n");
+  const Folder folder("wrong_input");
+  const std::string study = folder.write("study.toml", "[actuator]\n");
   REQUIRE(run_program({}).code == 2);
   REQUIRE(run_program({"fly"}).code == 2);
   REQUIRE(run_program({"run"}).code == 2);
@@ -123,8 +105,8 @@ TEST_CASE("mistakes on the command line are wrong input")
 
 TEST_CASE("a correct study, --set, describe, --help and --version end with 0")
 {
-  const Folder folder;
-  const std::string study = folder.write("[actuator]\n");
+  const Folder folder("wrong_input");
+  const std::string study = folder.write("study.toml", "[actuator]\n");
   REQUIRE(run_program({"check", study}).code == 0);
   REQUIRE(run_program({"check", study, "--set", "actuator.balloon.diameter=7 mm", "--set", "study.name=x"}).code == 0);
   REQUIRE_THAT(run_program({"check", study, "--set", "actuator.balloon.diameter=7 kPa"}).err,

@@ -3,8 +3,7 @@
 #include "solver/contact_work.h"
 #include "tests/support/box_mesh.h"
 #include "tests/support/dense_assembly.h"
-#include <cmath>
-#include <random>
+#include "tests/support/nodal_fields.h"
 
 /// Small configurations of two bodies in contact: "block", 2 x 2 x 1 mm, primary, and "plate", secondary.
 namespace ballonet::tests
@@ -77,32 +76,5 @@ inline State with_plate_moved(const ContactScene &scene, const Vector &by)
     state.displacement[i] += by[i % 3];
   return state;
 }
-
-inline std::vector<double> random_field(std::size_t size, double scale, unsigned seed)
-{
-  std::mt19937 generator(seed);
-  std::uniform_real_distribution<double> value(-scale, scale);
-  std::vector<double> field(size);
-  for (double &v : field)
-    v = value(generator);
-  return field;
-}
-
-inline State moved(State state, std::span<const double> by, double fraction)
-{
-  for (std::size_t i = 0; i < by.size(); ++i)
-    state.displacement[i] += fraction * by[i];
-  return state;
-}
-
-inline double dot(std::span<const double> a, std::span<const double> b)
-{
-  double sum = 0;
-  for (std::size_t i = 0; i < a.size(); ++i)
-    sum += a[i] * b[i];
-  return sum;
-}
-
-inline double norm(std::span<const double> a) { return std::sqrt(dot(a, a)); }
 
 } // namespace ballonet::tests

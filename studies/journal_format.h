@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+#include "optimize/journal.h"
+#include <map>
+#include <string>
+
+namespace ballonet::studies
+{
+
+/// Where an evaluation's files are, and which mesh it had.
+struct Origin {
+  int number = 0;        ///< of its folder evaluations/NNNN
+  std::string mesh_hash; ///< empty if there was no mesh
+};
+
+/// Evaluations as lines of journal.jsonl: {"id", "hash", "design", "units", "status", "reason", "responses", "seconds",
+/// "mesh_hash"}. Numbers are written so that they read back bit by bit; a response that is not finite is null.
+class JournalFormat
+{
+public:
+  explicit JournalFormat(optimize::DesignSpace space) : space_(std::move(space)) {}
+
+  /// The origin must have been set.
+  std::string write(const optimize::Evaluation &evaluation) const;
+
+  /// Remembers the origin. Throws std::invalid_argument if the line is no evaluation of this space.
+  optimize::Evaluation read(const std::string &line);
+
+  void set_origin(const std::string &hash, Origin origin) { origins_[hash] = std::move(origin); }
+  const Origin &origin(const std::string &hash) const { return origins_.at(hash); }
+
+  /// For optimize::Journal; this object must outlive it.
+  optimize::LineFormat line_format();
+
+private:
+  optimize::DesignSpace space_;
+  std::map<std::string, Origin> origins_; // by hash of the evaluation
+};
+
+} // namespace ballonet::studies

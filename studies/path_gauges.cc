@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "studies/path_gauges.h"
+
+namespace ballonet::studies
+{
+namespace
+{
+
+constexpr double kPa_per_MPa = 1e3;
+
+double volume_ratio(const solver::PathPoint &point) { return point.progress.volume / point.reference_volume; }
+
+} // namespace
+
+void ControlGauge::measure(const solver::PathPoint &point, const solver::Equilibrium &, Row &row)
+{
+  const solver::PathProgress &progress = point.progress;
+  row.emplace_back("step", progress.step);
+  row.emplace_back("time_s", progress.state.time);
+  if (control_ == solver::Control::volume)
+    row.emplace_back("control", volume_ratio(point));
+  else if (control_ == solver::Control::load)
+    row.emplace_back("control", progress.load_factor);
+  else
+    row.emplace_back("control", kPa_per_MPa * progress.state.pressure);
+  row.emplace_back("load_factor", progress.load_factor);
+}
+
+void CavityGauge::measure(const solver::PathPoint &point, const solver::Equilibrium &, Row &row)
+{
+  row.emplace_back("pressure_kPa", kPa_per_MPa * point.progress.state.pressure);
+  row.emplace_back("volume_mm3", copies_ * point.progress.volume);
+  row.emplace_back("volume_ratio", volume_ratio(point));
+}
+
+void NumericsGauge::measure(const solver::PathPoint &point, const solver::Equilibrium &, Row &row)
+{
+  const int cuts = fresh_ ? 0 : point.progress.cuts - cuts_;
+  cuts_ = point.progress.cuts;
+  fresh_ = false;
+  row.emplace_back("negative_eigenvalues", point.newton.negative_pivots);
+  row.emplace_back("newton_iterations", point.newton.iterations());
+  row.emplace_back("cuts", cuts);
+  row.emplace_back("dissipated_share", point.dissipated_share);
+  row.emplace_back("kinetic_share", point.kinetic_share);
+}
+
+} // namespace ballonet::studies

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+#include "studies/measurement.h"
+
+namespace ballonet::studies
+{
+
+/// step, time_s, control (V / V0, kPa or load factor, as the path is driven), load_factor.
+class ControlGauge : public Gauge
+{
+public:
+  explicit ControlGauge(solver::Control control) : control_(control) {}
+  void measure(const solver::PathPoint &point, const solver::Equilibrium &, Row &row) override;
+
+private:
+  solver::Control control_;
+};
+
+/// pressure_kPa, volume_mm3, volume_ratio of the cavity; `copies` of the meshed part make up the whole.
+class CavityGauge : public Gauge
+{
+public:
+  explicit CavityGauge(int copies) : copies_(copies) {}
+  void measure(const solver::PathPoint &point, const solver::Equilibrium &, Row &row) override;
+
+private:
+  int copies_;
+};
+
+/// How the step was found: negative_eigenvalues, newton_iterations, cuts since the last step, dissipated_share,
+/// kinetic_share.
+class NumericsGauge : public Gauge
+{
+public:
+  void measure(const solver::PathPoint &point, const solver::Equilibrium &, Row &row) override;
+  void go_on_after(const Row &) override { fresh_ = true; }
+
+private:
+  int cuts_ = 0;
+  bool fresh_ = false; ///< the cuts before the next step are not known
+};
+
+} // namespace ballonet::studies

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+#include "solver/simulation.h"
+#include <functional>
+
+namespace ballonet::tests
+{
+
+/// Coefficient mu of the incompressible neo-Hookean bodies below, MPa.
+constexpr double blown_mu = 0.3;
+
+struct VolumeAndPressure {
+  double volume_ratio, pressure; ///< V / V0, MPa
+};
+
+/// A nearly incompressible (bulk modulus 1e6 mu) neo-Hookean body blown up by volume, quasi-static and without
+/// viscosity; all steps of its path.
+std::vector<VolumeAndPressure> blow(const solver::Mesh &, const std::vector<solver::Support> &, const solver::Cavity &,
+                                    double volume_ratio);
+
+/// int of f from a to b by Gauss' rule on many intervals.
+double integral(const std::function<double(double)> &f, double a, double b);
+
+} // namespace ballonet::tests
