@@ -38,9 +38,8 @@ def run(program):
     return [json.loads(line) for line in text.splitlines()], code
 
 
-def number(value, unit="1"):
-    """Six digits, with the unit."""
-    text = f"{value:.6g}" if value == 0 or abs(value) >= 1e-4 else f"{value:.1e}"
+def number(value, unit="1", digits=6):
+    text = f"{value:.{digits}g}" if value == 0 or abs(value) >= 1e-4 else f"{value:.1e}"
     return text if unit == "1" else f"{text} {unit}"
 
 
@@ -57,7 +56,7 @@ def row(comparison):
     elif comparison["kind"] == "relative":
         error, tolerance = relative(comparison["error"]), relative(comparison["tolerance"])
     else:
-        error, tolerance = number(comparison["error"], unit), number(comparison["tolerance"], unit)
+        error, tolerance = number(comparison["error"], unit, 2), number(comparison["tolerance"], unit)
     what = comparison["what"] + ("" if comparison["holds"] else " **(fails)**")
     return f"| {what} | {comparison['source']} | {expected} | {measured} | {error} | {tolerance} |"
 

@@ -37,7 +37,8 @@ std::vector<Face> exposed_faces(const Mesh &mesh, const std::string &hidden)
 
 HistoryFile::HistoryFile(const std::string &path, const Mesh &mesh, const std::string &hidden, bool append,
                          int last_step)
-    : mesh_(mesh), file_(path, append && std::filesystem::exists(path) ? Hdf5File::Mode::append : Hdf5File::Mode::create)
+    : mesh_(mesh),
+      file_(path, append && std::filesystem::exists(path) ? Hdf5File::Mode::append : Hdf5File::Mode::create)
 {
   std::vector<int> index(mesh.nodes.size(), -1);
   for (const auto &face : exposed_faces(mesh, hidden)) {

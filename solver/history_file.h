@@ -16,8 +16,8 @@ namespace ballonet::solver
 class HistoryFile
 {
 public:
-  /// Continues an existing file when `append`, dropping states of steps after `last_step`. Faces of the `hidden` surface
-  /// (a symmetry plane) are left out.
+  /// Continues an existing file when `append`, dropping states of steps after `last_step`. Faces of the `hidden`
+  /// surface (a symmetry plane) are left out.
   HistoryFile(const std::string &path, const Mesh &mesh, const std::string &hidden, bool append, int last_step);
 
   /// `cell_stress`: one value per cell; a point shows the largest of its cells.

@@ -42,7 +42,8 @@ void append_shape(const PebsMeasures &m, Row &row)
 
 BalloonShapeGauge::BalloonShapeGauge(const SimulationModel &model, bool symmetric)
     : model_(model), balloon_(*model.layout, model.mesh.nodes, symmetric)
-{}
+{
+}
 
 void BalloonShapeGauge::measure(const solver::PathPoint &point, const solver::Equilibrium &equilibrium, Row &row)
 {

@@ -30,8 +30,8 @@ public:
 
 private:
   struct Touch {
-    double head_force = 0;     ///< N, normal force between balloon and head disc
-    double rib_fraction = 0;   ///< share of ribs touched
+    double head_force = 0;   ///< N, normal force between balloon and head disc
+    double rib_fraction = 0; ///< share of ribs touched
   };
   Touch touch(const solver::State &state, const solver::Equilibrium &equilibrium) const;
   double tip_force(const solver::State &state, const solver::Equilibrium &equilibrium) const;

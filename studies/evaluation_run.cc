@@ -132,8 +132,8 @@ private:
   solver::Simulation simulation_;
   Measurement measurement_;
   std::vector<Row> rows_;
-  bool moved_ = false;                // a step was taken in this session
-  std::optional<HistoryTable> table_; // of the writing rank
+  bool moved_ = false;                        // a step was taken in this session
+  std::optional<HistoryTable> table_;         // of the writing rank
   std::optional<solver::HistoryFile> shapes_; // likewise
   std::ofstream log_;                         // likewise
 };

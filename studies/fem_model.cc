@@ -48,7 +48,8 @@ EvaluationOutcome guarded(const RankGroups &groups, const std::function<Evaluati
 
 FemModel::FemModel(const StudyFile &study, ResultsDirectory *directory, JournalFormat &format, const RankGroups &groups)
     : study_(study), directory_(directory), format_(format), groups_(groups)
-{}
+{
+}
 
 void FemModel::release(const RankGroups &groups)
 {
@@ -105,7 +106,8 @@ std::vector<optimize::Evaluation> FemModel::evaluate(const std::vector<optimize:
     collect(true);
   std::vector<optimize::Evaluation> result;
   for (const optimize::Design &design : designs)
-    result.push_back(*std::find_if(finished_.begin(), finished_.end(), [&](const auto &e) { return e.design == design; }));
+    result.push_back(
+        *std::find_if(finished_.begin(), finished_.end(), [&](const auto &e) { return e.design == design; }));
   return result;
 }
 
@@ -123,9 +125,8 @@ optimize::Evaluation FemModel::compute(const Task &task)
   optimize::Evaluation evaluation;
   evaluation.hash = studies::content_hash(study);
   evaluation.design = task.design;
-  const EvaluationOutcome outcome = guarded(groups_, [&] {
-    return run_evaluation(study, task.folder, groups_.group(), [this] { collect(false); });
-  });
+  const EvaluationOutcome outcome =
+      guarded(groups_, [&] { return run_evaluation(study, task.folder, groups_.group(), [this] { collect(false); }); });
   evaluation.status = outcome.status;
   evaluation.reason = outcome.reason;
   evaluation.responses = outcome.responses;

@@ -10,7 +10,8 @@ namespace ballonet::studies
 {
 
 /// The finite element simulation as a forward model. Rank 0 asks; a batch is spread over the groups of ranks, and every
-/// group leaves its evaluations in their folders. Evaluations of other groups reach rank 0 between the steps of its own.
+/// group leaves its evaluations in their folders. Evaluations of other groups reach rank 0 between the steps of its
+/// own.
 class FemModel : public optimize::ForwardModel
 {
 public:

@@ -51,7 +51,8 @@ ExitCode export_command(const Invocation &invocation)
   if (study.study().actuator.kind != ActuatorKind::pebs)
     throw InputError({invocation.study}, "actuator.kind", "an actuator that is not printed", "pebs");
   if (!invocation.step.empty())
-    throw InputError({"export"}, "--step", invocation.step, "--stl FILE", "STEP files are not available in this version");
+    throw InputError({"export"}, "--step", invocation.step, "--stl FILE",
+                     "STEP files are not available in this version");
   if (invocation.stl.empty())
     throw InputError({"export"}, "", "no file to write", "--stl FILE");
   const auto built = build_model(study.study());

@@ -37,8 +37,12 @@ struct Method {
   static void fields(Self &self, Visitor &v)
   {
     v.choice("kind", self.kind,
-             {{"solve", MethodKind::solve}, {"sample", MethodKind::sample}, {"map", MethodKind::map},
-              {"optimize", MethodKind::optimize}, {"pareto", MethodKind::pareto}, {"calibrate", MethodKind::calibrate},
+             {{"solve", MethodKind::solve},
+              {"sample", MethodKind::sample},
+              {"map", MethodKind::map},
+              {"optimize", MethodKind::optimize},
+              {"pareto", MethodKind::pareto},
+              {"calibrate", MethodKind::calibrate},
               {"invert", MethodKind::invert}},
              "one simulation, a sample of the variables, or a search");
     v.choice("sampling", self.sampling,

@@ -18,8 +18,8 @@ public:
   MPI_Comm all() const { return all_; }
   MPI_Comm group() const { return group_; } ///< of this rank; MPI_COMM_NULL if it is left over
   int count() const { return count_; }
-  int index() const { return index_; } ///< of this rank's group; count() if it is left over
-  int rank() const { return rank_; }   ///< in all()
+  int index() const { return index_; }       ///< of this rank's group; count() if it is left over
+  int rank() const { return rank_; }         ///< in all()
   bool is_leader() const { return leader_; } ///< first rank of its group
 
 private:

@@ -41,14 +41,15 @@ ResponseGauge::ResponseGauge(const SimulationModel &model) : model_(model)
 {
   for (const solver::Response &response : model.parameters.responses) {
     Target target{response, {}, 0};
-    const bool of_nodes = response.kind == Kind::displacement || response.kind == Kind::position ||
-                          response.kind == Kind::reaction;
+    const bool of_nodes =
+        response.kind == Kind::displacement || response.kind == Kind::position || response.kind == Kind::reaction;
     if (of_nodes)
       target.nodes = response.point ? std::vector<std::uint32_t>{nearest_node(model.mesh, *response.point)}
                                     : surface_nodes(model.mesh, response.surface);
     const auto &pairs = model.parameters.contact_pairs;
     if (response.kind == Kind::contact_force) {
-      const auto found = std::find_if(pairs.begin(), pairs.end(), [&](const auto &p) { return p.name == response.pair; });
+      const auto found =
+          std::find_if(pairs.begin(), pairs.end(), [&](const auto &p) { return p.name == response.pair; });
       if (found == pairs.end())
         throw std::invalid_argument("there is no contact pair \"" + response.pair + "\"");
       target.pair = static_cast<std::size_t>(found - pairs.begin());

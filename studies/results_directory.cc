@@ -35,6 +35,13 @@ std::vector<std::pair<std::string, std::string>> variable_keys(const StudyFile &
   return keys;
 }
 
+/// Empty, or left by a run that was killed before it had written its first file.
+bool is_fresh(const fs::path &path)
+{
+  return std::all_of(fs::directory_iterator(path), fs::directory_iterator(),
+                     [](const fs::directory_entry &entry) { return entry.path().filename() == "resolved.toml.new"; });
+}
+
 } // namespace
 
 void ResultsDirectory::check(const fs::path &path, const StudyFile &study, bool resume)
@@ -45,7 +52,7 @@ void ResultsDirectory::check(const fs::path &path, const StudyFile &study, bool 
     return;
   if (!fs::is_directory(path))
     throw InputError({path.string()}, "", "a file", "a directory");
-  if (fs::is_empty(path))
+  if (is_fresh(path))
     return;
   if (!resume)
     throw occupied;
@@ -58,10 +65,11 @@ void ResultsDirectory::check(const fs::path &path, const StudyFile &study, bool 
 
 ResultsDirectory::ResultsDirectory(fs::path path, const StudyFile &study, int ranks) : path_(std::move(path))
 {
-  fs::create_directories(path_ / "evaluations");
+  fs::create_directories(path_);
   RunInformation run;
   run.ranks = ranks;
   write_atomically(path_ / "resolved.toml", resolved_text(study.study()) + "\n[run]\n" + write_fields(run));
+  fs::create_directories(path_ / "evaluations");
   find_begun();
 }
 
@@ -76,7 +84,8 @@ void ResultsDirectory::find_begun()
 {
   for (const auto &entry : fs::directory_iterator(path_ / "evaluations")) {
     const std::string name = entry.path().filename().string();
-    if (name.empty() || name.size() > 9 || !std::all_of(name.begin(), name.end(), [](unsigned char c) { return std::isdigit(c); }))
+    if (name.empty() || name.size() > 9 ||
+        !std::all_of(name.begin(), name.end(), [](unsigned char c) { return std::isdigit(c); }))
       continue;
     const int number = std::stoi(name);
     next_ = std::max(next_, number + 1);

@@ -101,8 +101,7 @@ RigidFrame best_fit(const std::vector<Point> &reference, const std::vector<Point
   for (const std::uint32_t node : nodes)
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j)
-        covariance[i][j] +=
-            (deformed[node][i] - frame.centre[i]) * (reference[node][j] - frame.reference_centre[j]);
+        covariance[i][j] += (deformed[node][i] - frame.centre[i]) * (reference[node][j] - frame.reference_centre[j]);
   if (symmetric)
     covariance[0][1] = covariance[1][0] = covariance[1][2] = covariance[2][1] = 0; // cancelled by the mirror image
   frame.rotation = polar_factor(covariance);

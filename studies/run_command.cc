@@ -40,7 +40,8 @@ public:
       : study_(study), out_(out), start_(MPI_Wtime()), ranks_(size_of(groups.all())), format_(study.space()),
         directory_(path, study, ranks_), journal_(directory_.journal(), format_.line_format()),
         model_(study, &directory_, format_, groups), evaluator_(model_, &journal_)
-  {}
+  {
+  }
 
   ExitCode run()
   {

@@ -41,8 +41,8 @@ std::vector<optimize::Design> sampled_designs(const StudyFile &file)
   const auto budget = static_cast<std::size_t>(method.search.max_evaluations);
   const optimize::DesignSpace &space = file.space();
   if (method.sampling == Sampling::latin_hypercube)
-    return designs_at(space, optimize::latin_hypercube(budget, space.size(),
-                                                       static_cast<std::uint64_t>(method.search.seed)));
+    return designs_at(space,
+                      optimize::latin_hypercube(budget, space.size(), static_cast<std::uint64_t>(method.search.seed)));
   const std::vector<std::size_t> levels(space.size(), levels_within(space, budget));
   return designs_at(space, optimize::full_factorial(space, levels));
 }

@@ -16,8 +16,11 @@ Json best_of(const optimize::Result &result, const StudyFile &study, const Journ
   if (!result.best)
     return nullptr;
   const optimize::Evaluation &best = *result.best;
-  Json json = {{"id", format.origin(best.hash).number}, {"hash", best.hash}, {"design", Json::object()},
-               {"responses", Json::object()}, {"feasible", result.feasible}};
+  Json json = {{"id", format.origin(best.hash).number},
+               {"hash", best.hash},
+               {"design", Json::object()},
+               {"responses", Json::object()},
+               {"feasible", result.feasible}};
   for (std::size_t i = 0; i < study.space().size(); ++i)
     json["design"][study.space().variable(i).key] = best.design.at(i);
   for (const auto &[name, value] : best.responses)
@@ -39,8 +42,11 @@ std::string summary_text(const Summary &summary, const StudyFile &file, const Jo
 {
   const Study &study = file.study();
   const optimize::Result &result = summary.result;
-  Json json = {{"study", study.title.name}, {"question", study.title.question}, {"status", summary.status},
-               {"reason", summary.reason},  {"best", best_of(result, file, format)}};
+  Json json = {{"study", study.title.name},
+               {"question", study.title.question},
+               {"status", summary.status},
+               {"reason", summary.reason},
+               {"best", best_of(result, file, format)}};
   if (study.objective)
     json["objective"] = {{"response", study.objective->response},
                          {"goal", study.objective->goal == optimize::Goal::maximize ? "maximize" : "minimize"}};

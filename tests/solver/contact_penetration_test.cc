@@ -11,8 +11,8 @@ using namespace ballonet::tests;
 namespace
 {
 
-/// A closed plate of 6 x 6 x 0.4 mm, coarse, and a thin bar standing upright above it, moved down until its lower end is
-/// at `height` over the plate's lower side, `x` from the plate's edge.
+/// A closed plate of 6 x 6 x 0.4 mm, coarse, and a thin bar standing upright above it, moved down until its lower end
+/// is at `height` over the plate's lower side, `x` from the plate's edge.
 ContactScene bar_and_plate(double height, double x = 2.95)
 {
   ContactScene scene;

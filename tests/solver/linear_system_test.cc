@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "solver/linear_system.h"
 #include "solver/elastic_work.h"
+#include "solver/linear_system.h"
 #include "solver/petsc_call.h"
 #include "tests/support/box_mesh.h"
 #include "tests/support/derivative_check.h"
@@ -53,7 +53,8 @@ struct Block {
   Discretization discretization;
   ElasticWork elastic;
   State rest;
-  explicit Block(MPI_Comm comm) : discretization(mesh, comm), elastic(discretization, 0, make_material(plastic()), 0, false)
+  explicit Block(MPI_Comm comm)
+      : discretization(mesh, comm), elastic(discretization, 0, make_material(plastic()), 0, false)
   {
     rest.displacement.assign(3 * mesh.nodes.size(), 0.);
     elastic.begin_step(rest, {.dt = 1});

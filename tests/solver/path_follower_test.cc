@@ -169,7 +169,8 @@ TEST_CASE("path: interrupted and resumed, it ends where the whole one ends")
   REQUIRE(resumed.resume(file));
   const auto actual = follow(resumed);
   CHECK(actual.progress.step == expected.progress.step);
-  const double difference = largest_difference(actual.progress.state.displacement, expected.progress.state.displacement);
+  const double difference =
+      largest_difference(actual.progress.state.displacement, expected.progress.state.displacement);
   INFO("displacements differ by " << difference << " mm");
   CHECK(difference < 1e-8);
   CHECK(actual.progress.state.pressure == Approx(expected.progress.state.pressure).epsilon(1e-8));

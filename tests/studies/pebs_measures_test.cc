@@ -89,7 +89,12 @@ TEST_CASE("stretching along the frame's own axes is no rotation, a plane has no 
 {
   const std::vector<Point> reference = {{0, 0, 0}, {2, 0, 0}, {0, 3, 0}, {0, 0, 0.5}};
   const std::vector<std::uint32_t> nodes = {0, 1, 2, 3};
-  const auto uniform = best_fit(reference, moved(reference, [](Point p) { return Point{2 * p[0], 2 * p[1], 2 * p[2]}; }), nodes, false);
+  const auto uniform = best_fit(reference,
+                                moved(reference,
+                                      [](Point p) {
+                                        return Point{2 * p[0], 2 * p[1], 2 * p[2]};
+                                      }),
+                                nodes, false);
   REQUIRE(angles(uniform.rotation).bending == Approx(0).margin(1e-10));
   REQUIRE_THROWS_AS(best_fit(reference, reference, {0, 1, 2}, false), std::invalid_argument);
 }
@@ -114,11 +119,13 @@ TEST_CASE("an undeformed actuator measures nothing, and a rigid motion of all of
     REQUIRE(rest.radial_ratio == Approx(1));
     REQUIRE(rest.max_bulge == Approx(3.6 - 8));
     REQUIRE(rest.tip[0] == Approx(0).margin(1e-9));
-    const auto turned = gauge.measure(moved(pebs.mesh.nodes, [](Point p) {
-                                        RigidFrame frame;
-                                        frame.rotation = about_y(30);
-                                        return frame.map(p);
-                                      }), 0);
+    const auto turned = gauge.measure(moved(pebs.mesh.nodes,
+                                            [](Point p) {
+                                              RigidFrame frame;
+                                              frame.rotation = about_y(30);
+                                              return frame.map(p);
+                                            }),
+                                      0);
     REQUIRE(turned.bending_angle == Approx(30));
     REQUIRE(turned.twist == Approx(0).margin(1e-9));
     REQUIRE(turned.gaps[0] == Approx(30));
@@ -131,11 +138,13 @@ TEST_CASE("a twisted and tilted head is told apart from bending")
 {
   const auto pebs = actuator(false);
   const PebsGauge gauge(pebs.layout, pebs.mesh.nodes, false);
-  const auto m = gauge.measure(moved(pebs.mesh.nodes, [](Point p) {
-                                 RigidFrame frame;
-                                 frame.rotation = product(about_y(50), product(about_x(10), about_z(25)));
-                                 return frame.map(p);
-                               }), 0);
+  const auto m = gauge.measure(moved(pebs.mesh.nodes,
+                                     [](Point p) {
+                                       RigidFrame frame;
+                                       frame.rotation = product(about_y(50), product(about_x(10), about_z(25)));
+                                       return frame.map(p);
+                                     }),
+                               0);
   REQUIRE(m.bending_angle == Approx(50));
   REQUIRE(m.out_of_plane == Approx(10));
   REQUIRE(m.twist == Approx(25));

@@ -92,8 +92,9 @@ TEST_CASE("a study without a method is one simulation with all its files")
   const Folder folder("run_solve");
   BarRun run(folder);
   REQUIRE(run() == 0);
-  for (const char *file : {"resolved.toml", "journal.jsonl", "summary.json", "evaluations/0001/mesh.msh",
-                           "evaluations/0001/history.csv", "evaluations/0001/log.txt", "evaluations/0001/history.h5", "evaluations/0001/study.toml"}) {
+  for (const char *file :
+       {"resolved.toml", "journal.jsonl", "summary.json", "evaluations/0001/mesh.msh", "evaluations/0001/history.csv",
+        "evaluations/0001/log.txt", "evaluations/0001/history.h5", "evaluations/0001/study.toml"}) {
     CAPTURE(file);
     REQUIRE(std::filesystem::exists(folder.path / "results" / file));
   }
@@ -216,7 +217,8 @@ TEST_CASE("more ranks per evaluation than there are is wrong input")
 TEST_CASE("mesh and export write their files")
 {
   const Folder folder("run_mesh");
-  const std::string study = folder.write("study.toml", "[actuator.ribs]\ncount = 3\n[actuator.balloon]\nlength = \"9 mm\"\n");
+  const std::string study =
+      folder.write("study.toml", "[actuator.ribs]\ncount = 3\n[actuator.balloon]\nlength = \"9 mm\"\n");
   std::string text;
   REQUIRE(run_program({"mesh", study, "-o", folder.path.string()}, text) == 0);
   REQUIRE(std::filesystem::file_size(folder.path / "mesh.msh") > 1000);

@@ -177,9 +177,9 @@ TEST_CASE("a problem without cavity needs load control, a file has to be a mesh"
   REQUIRE_THROWS_WITH(StudyFile((folder.path / "study.toml").string(), ballonet::tests::bar_study),
                       Catch::Contains("actuator.file") && Catch::Contains("a gmsh file of hexahedra"));
   ballonet::tests::write_bar(folder.path / "bar.msh", 4);
-  REQUIRE_THROWS_WITH(StudyFile((folder.path / "study.toml").string(), ballonet::tests::bar_study,
-                                {{"path.control", "volume"}}),
-                      Catch::Contains("[[cavity]]"));
+  REQUIRE_THROWS_WITH(
+      StudyFile((folder.path / "study.toml").string(), ballonet::tests::bar_study, {{"path.control", "volume"}}),
+      Catch::Contains("[[cavity]]"));
 }
 
 TEST_CASE("contradictions of a search are refused at their key")

@@ -56,7 +56,8 @@ void check_convergence(const std::string &name, const std::string &source, const
     const auto end = blown(n).back();
     errors[n - 1] = error(end, exact);
     if (n == 2)
-      compare({name + ": pressure, middle mesh", source, 1e3 * exact(end.volume_ratio), 1e3 * end.pressure, 1e-3, "kPa"});
+      compare(
+          {name + ": pressure, middle mesh", source, 1e3 * exact(end.volume_ratio), 1e3 * end.pressure, 1e-3, "kPa"});
   }
   INFO(name << ": errors " << errors[0] << ", " << errors[1] << ", " << errors[2]);
   const double order = std::log(std::abs(errors[0] / errors[2])) / std::log(3.);
@@ -94,8 +95,9 @@ TEST_CASE("thick tube under inner pressure in plane strain")
 
 TEST_CASE("thick sphere under inner pressure")
 {
-  check_convergence("thick sphere, V / V0 = 3", "incompressible neo-Hookean sphere, exact (Green and Zerna 1954)",
-                    [](int n) { return blown_sphere(n, 3); }, sphere_pressure);
+  check_convergence(
+      "thick sphere, V / V0 = 3", "incompressible neo-Hookean sphere, exact (Green and Zerna 1954)",
+      [](int n) { return blown_sphere(n, 3); }, sphere_pressure);
 }
 
 TEST_CASE("thick sphere past its limit pressure")
