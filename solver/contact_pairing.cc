@@ -69,7 +69,7 @@ PairedPoint ContactPairing::paired_point(std::uint32_t index, const Point3 &x, C
   PairedPoint p = {index / n_face_points, index % n_face_points, patch, x, {}, 0};
   p.closest = closest_point(nodes[patch], patches_[patch].range, x, xi);
   p.penetration = patches_[patch].radius - p.closest.distance;
-  for (int k = 0; k < most_crossings && cross(p, nodes); ++k) {
+  for (int k = 0; crossing_ && k < most_crossings && cross(p, nodes); ++k) {
   }
   return p;
 }
@@ -105,6 +105,7 @@ void ContactPairing::search(std::span<const double> displacement)
   }
   const BoxTree tree(boxes);
   Candidates candidates = {nodes, boxes, {}, {}};
+  const std::size_t before = couplings_.size();
   paired_.clear();
   for (std::uint32_t f = 0; f < faces_.size(); ++f) {
     const PatchNodes face_nodes = at_nodes(faces_[f].nodes, position);
@@ -121,6 +122,16 @@ void ContactPairing::search(std::span<const double> displacement)
         paired_.push_back(f * n_face_points + q);
     }
   }
+  if (couplings_.size() > before)
+    look_ahead(position, tree);
+}
+
+/// Couples what may come within reach later, so that the couplings change seldom: each change costs a new matrix.
+void ContactPairing::look_ahead(const CurrentPosition &position, const BoxTree &tree)
+{
+  for (std::uint32_t f = 0; f < faces_.size(); ++f)
+    tree.overlapping(enclosing_box(at_nodes(faces_[f].nodes, position)).enlarged(largest_radius_ + 2 * margin_),
+                     [&](std::uint32_t patch) { couple(f, patches_[patch].face.cell); });
 }
 
 ContactPairing::Pairing ContactPairing::nearest(const Point3 &x, const Pairing &previous, Candidates &candidates) const

@@ -31,6 +31,10 @@ public:
   /// when another one is equally near.
   void search(std::span<const double> displacement);
 
+  /// Whether points may cross into neighbouring patches between two searches. In a concave corner two patches are equally
+  /// near and a point could change sides for ever.
+  void allow_crossing(bool allowed) { crossing_ = allowed; }
+
   /// Calls visit(index, PairedPoint) for all paired points in ascending order; index = 25 face + point.
   template <class Visit>
   void for_each(std::span<const double> displacement, Visit visit) const;
@@ -53,6 +57,7 @@ private:
 
   const Mesh &mesh_;
   double margin_, largest_radius_ = 0;
+  bool crossing_ = true;
   std::vector<SecondaryFace> faces_;
   std::vector<PrimaryPatch> patches_;
   std::vector<Pairing> pairings_;     ///< one per point
@@ -63,6 +68,7 @@ private:
   class CurrentPatches;
 
   void couple(std::uint32_t face, std::uint32_t cell);
+  void look_ahead(const CurrentPosition &, const BoxTree &);
   bool coupled(std::uint32_t face, std::uint32_t patch) const;
   PairedPoint paired_point(std::uint32_t index, const Point3 &x, CurrentPatches &) const;
   bool cross(PairedPoint &, CurrentPatches &) const;

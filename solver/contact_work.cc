@@ -80,6 +80,7 @@ void ContactWork::begin_step(const State &start, const Step &step)
 void ContactWork::begin_iteration(const State &state, int iteration)
 {
   couplings_changed_ = false;
+  pairing_.allow_crossing(iteration < options_.crossing_iterations);
   if (iteration < options_.search_iterations)
     search(state);
 }

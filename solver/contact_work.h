@@ -9,8 +9,9 @@ namespace ballonet::solver
 {
 
 struct ContactOptions {
-  double margin = 1;         ///< mm beyond the contact distance within which points and patches are paired
+  double margin = 0.5;       ///< mm beyond the contact distance within which points and patches are paired
   int search_iterations = 6; ///< the pairing is frozen from this iteration of a step on
+  int crossing_iterations = 8; ///< from this one on points stay on their patch
 };
 
 /// What a contact pair transmits. Ranks' parts are summed with +=.

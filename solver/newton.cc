@@ -343,7 +343,7 @@ SNESConvergedReason NewtonSolver::Implementation::judge(int iteration)
     outcome.converged = true;
     return SNES_CONVERGED_FNORM_RELATIVE;
   }
-  if (small_steps >= 4 || struggles >= 8) {
+  if (small_steps >= 4 || struggles >= 12) {
     outcome.reason = small_steps >= 4 ? "four iterations in a row could take less than 5 % of their step"
                                       : "the increments do not shrink";
     return SNES_DIVERGED_LINE_SEARCH;

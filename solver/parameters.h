@@ -95,7 +95,7 @@ struct Load {
 struct ContactPair {
   std::string name;
   std::vector<std::string> secondary, primary;
-  double friction = 0.3, thickness = 0.35, stiffness = 15, onset = 0.06, penetration_limit = 0.15;
+  double friction = 0.3, thickness = 0.35, stiffness = 40, onset = 0.06, penetration_limit = 0.15;
   double slip_velocity = 3; // mm/s
   template <class Self, class Visitor>
   static void fields(Self &self, Visitor &v)

@@ -68,7 +68,7 @@ struct Actuator {
 
 /// The block [contact]: the contact pairs of the built-in actuators.
 struct ContactDefaults {
-  double friction = 0.3, stiffness = 15, thickness = 0.35, onset = 0.06, penetration_limit = 0.15;
+  double friction = 0.3, stiffness = 40, thickness = 0.35, onset = 0.06, penetration_limit = 0.15;
 
   template <class Self, class Visitor>
   static void fields(Self &self, Visitor &v)
@@ -85,12 +85,14 @@ struct ContactDefaults {
 /// The block [output].
 struct Output {
   int shape_every = 5;
+  bool vtu = true;
 
   template <class Self, class Visitor>
   static void fields(Self &self, Visitor &v)
   {
     v.count("shape_every", self.shape_every, 1, 1000000,
-            "steps between the shapes kept in history.h5; the last is kept");
+            "steps between the shapes kept in history.h5 and fields/; the last is kept");
+    v.flag("vtu", self.vtu, "also write the whole fields of these shapes, as VTU files for ParaView");
   }
 };
 
