@@ -31,8 +31,8 @@ public:
   /// when another one is equally near.
   void search(std::span<const double> displacement);
 
-  /// Whether points may cross into neighbouring patches between two searches. In a concave corner two patches are equally
-  /// near and a point could change sides for ever.
+  /// Whether points may cross into neighbouring patches between two searches. In a concave corner two patches are
+  /// equally near and a point could change sides for ever.
   void allow_crossing(bool allowed) { crossing_ = allowed; }
 
   /// Calls visit(index, PairedPoint) for all paired points in ascending order; index = 25 face + point.

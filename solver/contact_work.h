@@ -9,8 +9,8 @@ namespace ballonet::solver
 {
 
 struct ContactOptions {
-  double margin = 0.5;       ///< mm beyond the contact distance within which points and patches are paired
-  int search_iterations = 6; ///< the pairing is frozen from this iteration of a step on
+  double margin = 0.5;         ///< mm beyond the contact distance within which points and patches are paired
+  int search_iterations = 6;   ///< the pairing is frozen from this iteration of a step on
   int crossing_iterations = 8; ///< from this one on points stay on their patch
 };
 

@@ -144,6 +144,7 @@ void Discretization::write_vtu(const std::string &directory, const std::string &
   DataOut<3> out;
   DataOutBase::VtkFlags flags;
   flags.write_higher_order_cells = true;
+  flags.time = state.time;
   out.set_flags(flags);
   using Interpretation = DataComponentInterpretation::DataComponentInterpretation;
   const std::vector<Interpretation> vector(3, DataComponentInterpretation::component_is_part_of_vector);
@@ -151,7 +152,7 @@ void Discretization::write_vtu(const std::string &directory, const std::string &
   out.add_data_vector(value, value_name, DataOut<3>::type_cell_data);
   out.add_data_vector(body, "body", DataOut<3>::type_cell_data);
   out.build_patches(deal_->mapping, 2, DataOut<3>::curved_inner_cells);
-  out.write_vtu_with_pvtu_record(directory + "/", name, numbers::invalid_unsigned_int, comm_);
+  out.write_vtu_in_parallel(directory + "/" + name + ".vtu", comm_);
 }
 
 std::array<Node, n_face_nodes> face_nodes(const Mesh &mesh, Face face)

@@ -52,8 +52,8 @@ public:
   /// Reference weights and gradients of a cell, with the quadratic mapping of its 27 nodes.
   CellQuadrature quadrature(std::uint32_t cell) const;
 
-  /// Writes the deformed state as DIR/name.pvtu with one .vtu per rank; `cell_values`: one per cell of the mesh
-  /// (those of owned cells are used).
+  /// Writes a state as DIR/name.vtu, one file for all ranks: points at rest, nodal displacement, body and `cell_values`
+  /// (one per cell of the mesh; those of owned cells are used). Collective; the directory exists.
   void write_vtu(const std::string &directory, const std::string &name, const State &state,
                  const std::vector<double> &cell_values, const std::string &value_name) const;
 

@@ -124,6 +124,6 @@ double Hdf5File::read_attribute(const std::string &object, const std::string &na
   return value;
 }
 
-void Hdf5File::flush() { H5Fflush(file_, H5F_SCOPE_GLOBAL); }
+void Hdf5File::flush() { check(H5Fflush(file_, H5F_SCOPE_GLOBAL), "write it"); }
 
 } // namespace ballonet::solver

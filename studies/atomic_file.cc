@@ -37,13 +37,25 @@ void write_atomically(const std::filesystem::path &file, const std::string &text
     fail(unfinished);
   try {
     write_all(descriptor, text, unfinished);
-    if (fsync(descriptor) != 0)
-      fail(unfinished);
   } catch (...) {
     close(descriptor);
     throw;
   }
   close(descriptor);
+  move_into_place(unfinished, file);
+}
+
+void move_into_place(const std::filesystem::path &unfinished, const std::filesystem::path &file)
+{
+  const int descriptor = open(unfinished.c_str(), O_RDONLY);
+  if (descriptor < 0)
+    fail(unfinished);
+  const bool synced = fsync(descriptor) == 0;
+  const int error = errno;
+  close(descriptor);
+  errno = error;
+  if (!synced)
+    fail(unfinished);
   if (rename(unfinished.c_str(), file.c_str()) != 0)
     fail(file);
 }

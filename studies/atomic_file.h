@@ -10,4 +10,7 @@ namespace ballonet::studies
 /// disk. Throws std::system_error naming the file.
 void write_atomically(const std::filesystem::path &file, const std::string &text);
 
+/// The same with a file that is written and closed already; it is moved over the other, which may not be there yet.
+void move_into_place(const std::filesystem::path &unfinished, const std::filesystem::path &file);
+
 } // namespace ballonet::studies

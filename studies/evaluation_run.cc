@@ -4,6 +4,7 @@
 #include "geometry/mesh_io.h"
 #include "solver/history_file.h"
 #include "solver/simulation.h"
+#include "studies/field_files.h"
 #include "studies/history_table.h"
 #include "studies/path_responses.h"
 #include <cstdio>
@@ -52,6 +53,8 @@ public:
     if (simulation_.resume(folder_ / "checkpoint.h5"))
       take_up(read_history(folder_ / "history.csv"));
     MPI_Barrier(communicator); // everyone has read what the first rank is going to replace
+    if (study.output.vtu)
+      fields_.emplace(folder_, rows_, communicator);
     if (rank != 0)
       return;
     table_.emplace(folder_ / "history.csv", rows_);
@@ -101,11 +104,13 @@ private:
     }
   }
 
-  /// Writes the present shape; all ranks take part in computing the stresses.
+  /// Writes the present shape; all ranks take part.
   void keep_shape()
   {
     const solver::PathProgress &progress = simulation_.progress();
     const auto stresses = simulation_.equilibrium().stresses(progress.state);
+    if (fields_)
+      fields_->add(progress.step, progress.state, stresses, simulation_.equilibrium());
     if (!shapes_)
       return;
     const bool half = study_.actuator.kind != ActuatorKind::mesh && study_.mesh.symmetry;
@@ -132,7 +137,8 @@ private:
   solver::Simulation simulation_;
   Measurement measurement_;
   std::vector<Row> rows_;
-  bool moved_ = false;                        // a step was taken in this session
+  bool moved_ = false; // a step was taken in this session
+  std::optional<FieldFiles> fields_;
   std::optional<HistoryTable> table_;         // of the writing rank
   std::optional<solver::HistoryFile> shapes_; // likewise
   std::ofstream log_;                         // likewise

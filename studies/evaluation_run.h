@@ -18,9 +18,9 @@ struct EvaluationOutcome {
   double seconds = 0; ///< wall time of this session
 };
 
-/// Simulates a study and leaves mesh.msh, history.csv, log.txt and checkpoint.h5 in `folder`, which exists. If there is
-/// a checkpoint the path goes on from it. Called by all ranks of `communicator`; all get the same outcome.
-/// `between_steps` is called on every rank after every step.
+/// Simulates a study and leaves mesh.msh, history.csv, history.h5, fields, log.txt and checkpoint.h5 in `folder`, which
+/// exists. If there is a checkpoint the path goes on from it. Called by all ranks of `communicator`; all get the same
+/// outcome. `between_steps` is called on every rank after every step.
 EvaluationOutcome run_evaluation(const Study &study, const std::filesystem::path &folder, MPI_Comm communicator,
                                  const std::function<void()> &between_steps);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "studies/history_table.h"
 #include "studies/atomic_file.h"
+#include "studies/stages.h"
 #include <charconv>
 #include <sstream>
 #include <stdexcept>
@@ -27,14 +28,25 @@ std::string header_of(const Row &row)
   return line + "\n";
 }
 
+/// A number that reads back bit by bit, or the word of a stage.
+std::string cell_text(const std::string &column, double value)
+{
+  if (column == stage_column)
+    return word_of(static_cast<Stage>(static_cast<int>(value)));
+  char text[32];
+  return {text, std::to_chars(text, text + sizeof text, value).ptr};
+}
+
+double cell_value(const std::string &column, const std::string &text)
+{
+  return column == stage_column ? static_cast<double>(stage_of(text)) : std::stod(text);
+}
+
 std::string line_of(const Row &row)
 {
   std::string line;
-  for (const auto &[name, value] : row) {
-    char text[32];
-    const auto end = std::to_chars(text, text + sizeof text, value).ptr;
-    line.append(line.empty() ? "" : ",").append(text, end);
-  }
+  for (const auto &[name, value] : row)
+    line += (line.empty() ? "" : ",") + cell_text(name, value);
   return line + "\n";
 }
 
@@ -53,7 +65,7 @@ std::vector<Row> read_history(const std::filesystem::path &file)
       break;
     Row row;
     for (std::size_t i = 0; i < names.size(); ++i)
-      row.emplace_back(names[i], std::stod(words[i]));
+      row.emplace_back(names[i], cell_value(names[i], words[i]));
     rows.push_back(std::move(row));
   }
   return rows;

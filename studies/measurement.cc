@@ -4,12 +4,26 @@
 #include "studies/actuator_gauges.h"
 #include "studies/path_gauges.h"
 #include "studies/response_gauge.h"
+#include "studies/stages.h"
 #include <algorithm>
 #include <limits>
+#include <numbers>
 #include <stdexcept>
 
 namespace ballonet::studies
 {
+namespace
+{
+
+StageThresholds stage_thresholds(const Study &study)
+{
+  const geometry::Pebs &pebs = study.actuator.pebs;
+  const double radius = pebs.balloon.diameter / 2;
+  return {study.judge.head_force_share, study.judge.contact_share, std::numbers::pi * radius * radius,
+          pebs.ribs.thickness};
+}
+
+} // namespace
 
 Measurement::Measurement(const Study &study, const SimulationModel &model, MPI_Comm communicator)
 {
@@ -24,6 +38,8 @@ Measurement::Measurement(const Study &study, const SimulationModel &model, MPI_C
   if (study.actuator.kind == ActuatorKind::pebs)
     gauges_.push_back(std::make_unique<PebsShapeGauge>(model, symmetric, study.judge.rib_arc_share, communicator));
   gauges_.push_back(std::make_unique<NumericsGauge>());
+  if (study.actuator.kind == ActuatorKind::pebs && study.actuator.pebs.with_balloon)
+    gauges_.push_back(std::make_unique<StageGauge>(stage_thresholds(study)));
 }
 
 Row Measurement::measure(const solver::PathPoint &point, const solver::Equilibrium &equilibrium)

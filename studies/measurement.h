@@ -11,7 +11,7 @@
 namespace ballonet::studies
 {
 
-/// Numbers with their names, in the order of the columns of history.csv.
+/// Numbers with their names, in the order of the columns of history.csv; a stage stands there by its number.
 using Row = std::vector<std::pair<std::string, double>>;
 
 /// One part of what is measured at a converged step.
@@ -20,7 +20,8 @@ class Gauge
 public:
   virtual ~Gauge() = default;
 
-  /// Appends its columns. Called by all ranks of the simulation, gives all of them the same numbers.
+  /// Appends its columns to those of the gauges before it. Called by all ranks of the simulation, gives all of them the
+  /// same numbers.
   virtual void measure(const solver::PathPoint &point, const solver::Equilibrium &equilibrium, Row &row) = 0;
 
   /// Tells it the last row measured before an interruption.

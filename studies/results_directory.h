@@ -8,7 +8,8 @@
 namespace ballonet::studies
 {
 
-/// The directory of a run: resolved.toml, journal.jsonl, summary.json, report.html and evaluations/NNNN/.
+/// The directory of a run: resolved.toml, journal.jsonl, summary.json, results.h5, report.html and
+/// evaluations/NNNN/.
 ///
 /// A directory that holds anything is taken only with `resume`, and then only if it is a results directory with the
 /// same variables; other keys may change, because every evaluation is known by the hash of all its inputs.

@@ -5,6 +5,7 @@
 #include "studies/dry_run.h"
 #include "studies/fem_model.h"
 #include "studies/report.h"
+#include "studies/results_file.h"
 #include "studies/study_run.h"
 #include "studies/summary.h"
 #include <iomanip>
@@ -53,6 +54,7 @@ public:
     summary.status = found ? "done" : "no_result";
     summary.reason = summary.result.stop_reason;
     write(summary);
+    keep_numbers(summary.result);
     out_ << summary.status << ": " << summary.reason << "\n" << directory_.path().string() << std::endl;
     make_report(directory_.path(), out_);
     return found ? done : no_result;
@@ -70,6 +72,16 @@ private:
   {
     summary.wall_seconds = MPI_Wtime() - start_;
     write_atomically(directory_.path() / "summary.json", summary_text(summary, study_, format_));
+  }
+
+  /// results.h5 repeats what is in the journal and the histories: a run is not lost with it.
+  void keep_numbers(const optimize::Result &result) const
+  {
+    try {
+      write_results_file(directory_, study_, result, format_);
+    } catch (const std::exception &e) {
+      out_ << "no new results.h5: " << e.what() << std::endl;
+    }
   }
 
   void print(const optimize::Evaluation &evaluation) const
