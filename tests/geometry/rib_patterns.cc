@@ -92,7 +92,7 @@ TEST_CASE("V-shaped ribs and reversed ones rise towards the front and keep the w
   pebs.ribs.v_angle = {angle};
   check_mesh(pebs);
   const PebsMesh mesh = built(pebs, full_model());
-  const double land = 8.3 / 2 / 8.4, rise = 8 * std::tan(angle * degree) * (std::numbers::pi - land);
+  const double land = 8.3 / 2 / 8.45, rise = 8 * std::tan(angle * degree) * (std::numbers::pi - land);
   CHECK(rib_height(mesh, 2, std::numbers::pi) == Approx(3 * 4.8 - 1 + rise));
   CHECK(rib_height(mesh, 2, 0) == Approx(3 * 4.8 - 1));
   CHECK(built(pebs, {}).mesh.cells.size() * 2 == mesh.mesh.cells.size());

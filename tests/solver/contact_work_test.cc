@@ -187,7 +187,7 @@ TEST_CASE("with frozen pairing a point slides on to the neighbouring face and ar
 TEST_CASE("the tangent couples announced nodes only, and new couplings are reported once")
 {
   const ContactScene scene = contact_scene(Vector({0.45, 0.5, 0.9}), up, 0.8, 0, {6, 1, 1});
-  ContactWork work(scene.mesh, scene.pair, all_owned, {.margin = 0.2});
+  ContactWork work(scene.mesh, scene.pair, all_owned, {.margin = 0.05});
   work.begin_step(scene.state, {.dt = 1e-3});
   CHECK(work.couplings_changed());
   work.begin_iteration(scene.state, 0);
