@@ -18,6 +18,7 @@ void for_each_scalar(Progress &p, const Visit &visit)
   visit("time", p.state.time);
   visit("step", p.step);
   visit("cuts", p.cuts);
+  visit("setbacks", p.setbacks);
   visit("iterations", p.iterations);
   visit("load_factor", p.load_factor);
   visit("stretch", p.stretch);

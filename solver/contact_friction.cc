@@ -59,7 +59,7 @@ CellWeights touched_material(const PrimaryPatch &patch, const Parameters2 &xi, c
 Point3 separation(const SlidingPoint &p, const ContactPairing &pairing, const CurrentPosition &position)
 {
   const PatchNodes nodes = at_nodes(pairing.faces()[p.face].nodes, position);
-  return interpolate(nodes, face_quadrature().shapes[p.point].value) -
+  return interpolate(nodes, pairing.quadrature().shapes[p.point].value) -
          sum(pairing.patches()[p.patch], p.weights, position);
 }
 

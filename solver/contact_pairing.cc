@@ -50,15 +50,16 @@ struct ContactPairing::Candidates {
 
 ContactPairing::ContactPairing(const Mesh &mesh, const ContactPair &pair,
                                const std::function<bool(std::uint32_t cell)> &owned, double margin)
-    : mesh_(mesh), margin_(margin)
+    : mesh_(mesh), margin_(margin), quadrature_(pair.points_per_side)
 {
   check(pair);
-  faces_ = secondary_faces(mesh, pair.secondary, owned);
+  faces_ = secondary_faces(mesh, pair.secondary, quadrature_, owned);
   patches_ = primary_patches(mesh, pair.primary, pair.thickness);
   check_apart(pair, faces_, patches_);
   for (const PrimaryPatch &patch : patches_)
     largest_radius_ = std::max(largest_radius_, patch.radius);
-  pairings_.resize(faces_.size() * n_face_points);
+  pairings_.resize(faces_.size() * quadrature_.size());
+  departures_.resize(pairings_.size());
 }
 
 /// The closest point, from patch to neighbouring patch as long as the gap shrinks.
@@ -66,10 +67,11 @@ PairedPoint ContactPairing::paired_point(std::uint32_t index, const Point3 &x, C
 {
   constexpr int most_crossings = 3;
   const auto &[patch, xi] = pairings_[index];
-  PairedPoint p = {index / n_face_points, index % n_face_points, patch, x, {}, 0};
+  PairedPoint p = {index / quadrature_.size(), index % quadrature_.size(), patch, x, {}, 0};
   p.closest = closest_point(nodes[patch], patches_[patch].range, x, xi);
   p.penetration = patches_[patch].radius - p.closest.distance;
-  for (int k = 0; crossing_ && k < most_crossings && cross(p, nodes); ++k) {
+  const bool may_cross = crossing_ && !departures_[index].returned;
+  for (int k = 0; may_cross && k < most_crossings && cross(p, nodes); ++k) {
   }
   return p;
 }
@@ -115,15 +117,29 @@ void ContactPairing::search(std::span<const double> displacement)
     std::sort(candidates.patches.begin(), candidates.patches.end());
     for (const std::uint32_t patch : candidates.patches)
       couple(f, patches_[patch].face.cell);
-    for (std::uint32_t q = 0; q < n_face_points; ++q) {
-      Pairing &pairing = pairings_[f * n_face_points + q];
-      pairing = nearest(interpolate(face_nodes, face_quadrature().shapes[q].value), pairing, candidates);
-      if (pairing.patch != none)
-        paired_.push_back(f * n_face_points + q);
+    for (std::uint32_t q = 0; q < quadrature_.size(); ++q) {
+      const std::uint32_t index = f * quadrature_.size() + q;
+      const Point3 x = interpolate(face_nodes, quadrature_.shapes[q].value);
+      pairings_[index] = settled(index, nearest(x, pairings_[index], candidates));
+      if (pairings_[index].patch != none)
+        paired_.push_back(index);
     }
   }
   if (couplings_.size() > before)
     look_ahead(position, tree);
+}
+
+/// The pairing a point gets after a search that has found `found`.
+ContactPairing::Pairing ContactPairing::settled(std::uint32_t index, const Pairing &found)
+{
+  const Pairing &previous = pairings_[index];
+  Departure &departure = departures_[index];
+  if (found.patch == previous.patch || found.patch == none || previous.patch == none)
+    return found;
+  if (departure.returned)
+    return previous;
+  departure = {previous.patch, found.patch == departure.patch};
+  return found;
 }
 
 /// Couples what may come within reach later, so that the couplings change seldom: each change costs a new matrix.

@@ -3,6 +3,7 @@
 #include "solver/contact_search.h"
 #include "solver/contact_surface.h"
 #include "solver/parameters.h"
+#include <algorithm>
 #include <limits>
 #include <unordered_set>
 
@@ -31,11 +32,14 @@ public:
   /// when another one is equally near.
   void search(std::span<const double> displacement);
 
+  /// Forgets which patches the points have left.
+  void begin_step() { std::fill(departures_.begin(), departures_.end(), Departure{}); }
+
   /// Whether points may cross into neighbouring patches between two searches. In a concave corner two patches are
   /// equally near and a point could change sides for ever.
   void allow_crossing(bool allowed) { crossing_ = allowed; }
 
-  /// Calls visit(index, PairedPoint) for all paired points in ascending order; index = 25 face + point.
+  /// Calls visit(index, PairedPoint) for all paired points in ascending order; index = face * points of a face + point.
   template <class Visit>
   void for_each(std::span<const double> displacement, Visit visit) const;
 
@@ -43,6 +47,7 @@ public:
   const std::vector<std::array<std::uint32_t, 2>> &couplings() const { return couplings_; }
 
   const Mesh &mesh() const { return mesh_; }
+  const FaceQuadrature &quadrature() const { return quadrature_; }
   const std::vector<SecondaryFace> &faces() const { return faces_; }
   const std::vector<PrimaryPatch> &patches() const { return patches_; }
   double largest_radius() const { return largest_radius_; }
@@ -53,14 +58,22 @@ private:
     std::uint32_t patch = none;
     Parameters2 xi = {0.5, 0.5}; ///< where the closest point was at the last search
   };
+  /// In a concave corner two patches are equally near and a point could change sides for ever: one that returns to the
+  /// patch it left in the same step stays there until the step ends.
+  struct Departure {
+    std::uint32_t patch = none;
+    bool returned = false;
+  };
   struct Candidates;
 
   const Mesh &mesh_;
   double margin_, largest_radius_ = 0;
   bool crossing_ = true;
+  FaceQuadrature quadrature_;
   std::vector<SecondaryFace> faces_;
   std::vector<PrimaryPatch> patches_;
   std::vector<Pairing> pairings_;     ///< one per point
+  std::vector<Departure> departures_; ///< one per point
   std::vector<std::uint32_t> paired_; ///< indices of the points that have a patch
   std::vector<std::array<std::uint32_t, 2>> couplings_;
   std::unordered_set<std::uint64_t> coupled_;
@@ -72,6 +85,7 @@ private:
   bool coupled(std::uint32_t face, std::uint32_t patch) const;
   PairedPoint paired_point(std::uint32_t index, const Point3 &x, CurrentPatches &) const;
   bool cross(PairedPoint &, CurrentPatches &) const;
+  Pairing settled(std::uint32_t index, const Pairing &found);
   Pairing nearest(const Point3 &x, const Pairing &previous, Candidates &) const;
 };
 
@@ -108,10 +122,10 @@ void ContactPairing::for_each(std::span<const double> displacement, Visit visit)
   PatchNodes face_nodes;
   std::uint32_t present = none;
   for (const std::uint32_t index : paired_) {
-    const std::uint32_t face = index / n_face_points;
+    const std::uint32_t face = index / quadrature_.size();
     if (face != present)
       face_nodes = at_nodes(faces_[present = face].nodes, position);
-    const Point3 x = interpolate(face_nodes, face_quadrature().shapes[index % n_face_points].value);
+    const Point3 x = interpolate(face_nodes, quadrature_.shapes[index % quadrature_.size()].value);
     visit(index, paired_point(index, x, patches));
   }
 }

@@ -110,7 +110,7 @@ double largest_fraction(const ContactPairing &pairing, std::span<const double> d
   for (const SecondaryFace &face : pairing.faces()) {
     const MovingPatch nodes(at_nodes(face.nodes, position), at_nodes(face.nodes, field));
     tree.overlapping(nodes.swept.enlarged(core_share * pairing.largest_radius()), [&](std::uint32_t patch) {
-      for (const PatchShapes &shapes : face_quadrature().shapes) {
+      for (const PatchShapes &shapes : pairing.quadrature().shapes) {
         const Point3 x = interpolate(nodes.nodes, shapes.value), dx = interpolate(nodes.increment, shapes.value);
         fraction = limited({x, dx, moving[patch], pairing.patches()[patch]}, fraction);
       }

@@ -152,25 +152,20 @@ PatchNodes within_range(const PatchNodes &nodes, const PatchRange &range)
   return part;
 }
 
-const FaceQuadrature &face_quadrature()
+FaceQuadrature::FaceQuadrature(int points_per_side)
 {
-  static const FaceQuadrature quadrature = [] {
-    const dealii::QGauss<2> gauss(5);
-    FaceQuadrature q;
-    for (unsigned int k = 0; k < n_face_points; ++k) {
-      q.shapes[k] = patch_shapes({gauss.point(k)[0], gauss.point(k)[1]});
-      q.weight[k] = gauss.weight(k);
-    }
-    return q;
-  }();
-  return quadrature;
+  const dealii::QGauss<2> gauss(points_per_side);
+  for (unsigned int k = 0; k < gauss.size(); ++k) {
+    shapes.push_back(patch_shapes({gauss.point(k)[0], gauss.point(k)[1]}));
+    weight.push_back(gauss.weight(k));
+  }
 }
 
 std::vector<SecondaryFace> secondary_faces(const Mesh &mesh, const std::vector<std::string> &names,
+                                           const FaceQuadrature &quadrature,
                                            const std::function<bool(std::uint32_t cell)> &owned)
 {
   std::vector<SecondaryFace> faces;
-  const FaceQuadrature &quadrature = face_quadrature();
   for (const NamedFace &f : faces_of(mesh, names)) {
     if (!owned(f.face.cell))
       continue;
@@ -178,10 +173,10 @@ std::vector<SecondaryFace> secondary_faces(const Mesh &mesh, const std::vector<s
     for (int a = 0; a < 9; ++a)
       face.nodes[a] = mesh.cells[f.face.cell][columns_behind(f.face.local)[3 * a]];
     const PatchNodes nodes = at_nodes(face.nodes, [&](Node n) { return reference_position(mesh, n); });
-    for (std::size_t q = 0; q < n_face_points; ++q) {
+    for (std::uint32_t q = 0; q < quadrature.size(); ++q) {
       const auto &slope = quadrature.shapes[q].derivative;
       const Point3 normal = cross_product_3d(interpolate(nodes, slope[0]), interpolate(nodes, slope[1]));
-      face.area[q] = quadrature.weight[q] * normal.norm();
+      face.area.push_back(quadrature.weight[q] * normal.norm());
     }
     faces.push_back(face);
   }

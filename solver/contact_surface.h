@@ -52,19 +52,19 @@ struct NodalField {
   }
 };
 
-/// The 5 x 5 Gauss points of a face.
-constexpr std::uint32_t n_face_points = 25;
+/// The Gauss points of a face, n x n.
 struct FaceQuadrature {
-  std::array<PatchShapes, n_face_points> shapes;
-  std::array<double, n_face_points> weight;
+  explicit FaceQuadrature(int points_per_side);
+  std::vector<PatchShapes> shapes;
+  std::vector<double> weight;
+  std::uint32_t size() const { return static_cast<std::uint32_t>(weight.size()); }
 };
-const FaceQuadrature &face_quadrature();
 
 /// A face that feels the contact at its quadrature points.
 struct SecondaryFace {
   Face face;
   std::array<Node, 9> nodes;
-  std::array<double, n_face_points> area; ///< reference area of each point, mm^2
+  std::vector<double> area; ///< reference area of each point, mm^2
 };
 
 /// A patch that shares a side of its face with another one.
@@ -89,7 +89,7 @@ struct PrimaryPatch {
   std::array<std::optional<Neighbour>, 4> neighbour;
 };
 
-std::vector<SecondaryFace> secondary_faces(const Mesh &, const std::vector<std::string> &names,
+std::vector<SecondaryFace> secondary_faces(const Mesh &, const std::vector<std::string> &names, const FaceQuadrature &,
                                            const std::function<bool(std::uint32_t cell)> &owned);
 
 /// `thickness`: the depth in mm. Cells thinner than twice that get half their own thickness, so contact never begins

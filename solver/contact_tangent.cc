@@ -50,9 +50,8 @@ struct Part {
 
   bool same_block(const Part &other) const { return face == other.face && cell == other.cell; }
 
-  void add_to(ContactBlock &block) const
+  void add_to(ContactBlock &block, const FaceQuadrature &quadrature) const
   {
-    const FaceQuadrature &quadrature = face_quadrature();
     if (normal) {
       const PairedPoint &p = normal->point;
       block.add_normal(quadrature.shapes[p.point].value, patch_shapes(p.closest.xi), p.closest.normal,
@@ -95,7 +94,7 @@ void add_contact_tangent(const ContactPairing &pairing, const std::vector<Normal
   for (std::size_t k = 0; k < parts.size(); ++k) {
     const Part &part = parts[k];
     const PrimaryPatch &patch = pairing.patches()[part.patch];
-    part.add_to(*block);
+    part.add_to(*block, pairing.quadrature());
     const bool block_ends = k + 1 == parts.size() || !part.same_block(parts[k + 1]);
     if (block_ends || parts[k + 1].patch != part.patch)
       block->spread(patch);

@@ -41,7 +41,7 @@ ContactWork::ContactWork(const Mesh &mesh, const ContactPair &pair,
                          const std::function<bool(std::uint32_t cell)> &owned, const ContactOptions &options)
     : pairing_(mesh, pair, owned, options.margin), law_{pair.stiffness, pair.onset}, options_(options),
       friction_(pair.friction), slip_velocity_(pair.slip_velocity), n_primary_surfaces_(pair.primary.size()),
-      stored_pressure_(pairing_.faces().size() * n_face_points, 0.)
+      stored_pressure_(pairing_.faces().size() * pairing_.quadrature().size(), 0.)
 {
 }
 
@@ -65,6 +65,7 @@ void ContactWork::search(const State &state)
 
 void ContactWork::begin_step(const State &start, const Step &step)
 {
+  pairing_.begin_step();
   search(start);
   friction_law_.sticking_slip = std::max(slip_velocity_ * step.dt, 1e-6);
   sliding_.clear();
@@ -114,12 +115,12 @@ void ContactWork::residual(const State &state, Assembly &assembly) const
   ForceBuffer buffer(pairing_);
   for_each_touching(state, [&](std::uint32_t, const PairedPoint &p) {
     const Point3 force = area(p) * law_.pressure(p.penetration) * p.closest.normal;
-    buffer.add_face(p.face, face_quadrature().shapes[p.point].value, -force);
+    buffer.add_face(p.face, pairing_.quadrature().shapes[p.point].value, -force);
     buffer.add_patch(p.patch, patch_shapes(p.closest.xi).value, force);
   });
   for (const SlidingPoint &s : sliding_) {
     const Point3 force = friction_force(s, state);
-    buffer.add_face(s.face, face_quadrature().shapes[s.point].value, force);
+    buffer.add_face(s.face, pairing_.quadrature().shapes[s.point].value, force);
     buffer.add_cell(s.patch, s.weights, -force);
   }
   buffer.flush(assembly);
@@ -129,7 +130,8 @@ void ContactWork::tangent(const State &state, Assembly &assembly) const
 {
   std::vector<NormalContact> normal;
   for_each_touching(state, [&](std::uint32_t index, const PairedPoint &p) {
-    normal.push_back({p, area(p) * law_.slope(p.penetration), area(p) * stored_pressure_[index]});
+    const double stress = convex_ ? 0 : stored_pressure_[index];
+    normal.push_back({p, area(p) * law_.slope(p.penetration), area(p) * stress});
   });
   std::vector<SlidingContact> sliding;
   for (const SlidingPoint &s : sliding_)
@@ -146,7 +148,7 @@ void ContactWork::advance(const State &from, std::span<const double> increment, 
     patch_increments.push_back(at_depth(patch, field));
   for_each_touching(from, [&](std::uint32_t index, const PairedPoint &p) {
     const PatchNodes face_increment = at_nodes(pairing_.faces()[p.face].nodes, field);
-    const Point3 relative = interpolate(face_increment, face_quadrature().shapes[p.point].value) -
+    const Point3 relative = interpolate(face_increment, pairing_.quadrature().shapes[p.point].value) -
                             interpolate(patch_increments[p.patch], patch_shapes(p.closest.xi).value);
     const double predicted =
         law_.pressure(p.penetration) - law_.slope(p.penetration) * fraction * (p.closest.normal * relative);

@@ -34,7 +34,7 @@ struct ContactPoint {
   double penetration; ///< mm
 };
 
-/// Contact of the secondary surface's 5 x 5 quadrature points per face with the primary surface moved back into its
+/// Contact of the secondary surface's quadrature points with the primary surface moved back into its
 /// body by the pair's thickness: energy = area * law(thickness - distance), distance unsigned. Derivatives by the
 /// implicit function theorem, exact and symmetric. Coulomb friction with the normal force and the contact point of the
 /// step's start, as an incremental potential.
@@ -57,6 +57,7 @@ public:
   double energy(const State &) const override;
   void residual(const State &, Assembly &) const override;
   void tangent(const State &, Assembly &) const override;
+  void convexify(bool on) override { convex_ = on; }
   void advance(const State &from, std::span<const double> increment, double fraction) override;
   double largest_step(const State &, std::span<const double> increment) const override;
 
@@ -72,7 +73,7 @@ private:
   ContactOptions options_;
   double friction_, slip_velocity_;
   std::size_t n_primary_surfaces_;
-  bool couplings_changed_ = false;
+  bool couplings_changed_ = false, convex_ = false;
   contact::FrictionLaw friction_law_ = {1};
   std::vector<contact::SlidingPoint> sliding_;
   std::vector<double> stored_pressure_; ///< MPa, one per secondary point

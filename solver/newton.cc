@@ -28,6 +28,8 @@ struct NewtonSolver::Implementation {
   int small_steps = 0;
   double first_size = 0, last_size = 0; ///< largest component of the first and last increment, mm
   bool struggling = false;              ///< the increments do not shrink
+  bool convex = false;                  ///< the step has met a tangent that had to be made convex
+  int first_pivots = 0;                 ///< negative ones at the start of the step
   int struggles = 0;                    ///< iterations in which they did not
   bool new_couplings = false;
 
@@ -46,11 +48,12 @@ struct NewtonSolver::Implementation {
 
   void evaluate(Vec f);
   bool linearise();
+  bool factorise();
   void solve_bordered(Vec f, Vec y);
   void update(Vec x, Vec y);
   void assemble_residual();
   double capped(const std::vector<double> &increment, double fraction);
-  double search(const std::vector<double> &increment, double pressure_increment, double fraction);
+  double search(const std::vector<double> &increment, double pressure_increment);
   SNESConvergedReason judge(int iteration);
   void begin_iteration(int iteration);
 };
@@ -223,14 +226,34 @@ bool NewtonSolver::Implementation::linearise()
     system.couple(couplings);
     new_couplings = false;
   }
-  if (!system.factorise(works, *state)) {
+  if (!factorise()) {
     outcome.reason = "the factorisation of the tangent failed";
     return false;
   }
-  outcome.negative_pivots = system.negative_pivots();
   if (cavity)
     system.solve(free_gradient, response);
   return true;
+}
+
+/// A tangent with more negative pivots than at the start of the step points away from the solution once the increments
+/// do not shrink: from then on it is made convex where it has too many of them.
+bool NewtonSolver::Implementation::factorise()
+{
+  if (!system.factorise(works, *state))
+    return false;
+  outcome.negative_pivots = system.negative_pivots();
+  if (outcome.residuals.size() == 1)
+    first_pivots = outcome.negative_pivots;
+  const bool indefinite = outcome.negative_pivots > first_pivots;
+  convex = convex || (indefinite && (struggling || outcome.negative_pivots > 1));
+  if (!convex || !indefinite)
+    return true;
+  for (auto *work : works)
+    work->convexify(true);
+  const bool done = system.factorise(works, *state);
+  for (auto *work : works)
+    work->convexify(false);
+  return done;
 }
 
 void NewtonSolver::Implementation::solve_bordered(Vec f, Vec y)
@@ -267,33 +290,24 @@ double NewtonSolver::Implementation::capped(const std::vector<double> &increment
   return fraction;
 }
 
-/// Shortens a step along which the potential's slope does not come down. While the increments shrink it is left alone:
-/// the slope of a nearly incompressible body rises by orders of magnitude after a perfect step.
-double NewtonSolver::Implementation::search(const std::vector<double> &increment, double pressure_increment,
-                                            double fraction)
+/// Fraction of a step along which the potential's slope does not come down, else 1. One trial only: contact must be let
+/// in to be felt, and shortening until the slope comes down stops just outside it, for ever.
+double NewtonSolver::Implementation::search(const std::vector<double> &increment, double pressure_increment)
 {
-  constexpr int trials = 4;
   constexpr double enough = 0.8;
-  if (!struggling)
-    return fraction;
   const State start = *state;
-  double slope_at_start;
+  double slope_at_start, slope;
   petsc(VecDot(residual, u, &slope_at_start)); // the residual of evaluate, held entries apart
-  for (int trial = 0; trial < trials; ++trial) {
-    for (std::size_t i = 0; i < increment.size(); ++i)
-      state->displacement[i] = start.displacement[i] + fraction * increment[i];
-    state->pressure = start.pressure + fraction * pressure_increment;
-    assemble_residual();
-    system.clear_held(residual);
-    double slope;
-    petsc(VecDot(residual, u, &slope));
-    *state = start;
-    if (std::abs(slope) <= enough * std::abs(slope_at_start))
-      break;
-    const double secant = slope_at_start / (slope_at_start - slope);
-    fraction *= slope * slope_at_start < 0 ? std::clamp(secant, 0.2, 0.7) : 0.5;
-  }
-  return fraction;
+  for (std::size_t i = 0; i < increment.size(); ++i)
+    state->displacement[i] += increment[i];
+  state->pressure += pressure_increment;
+  assemble_residual();
+  system.clear_held(residual);
+  petsc(VecDot(residual, u, &slope));
+  *state = start;
+  if (std::abs(slope) <= enough * std::abs(slope_at_start))
+    return 1;
+  return slope * slope_at_start < 0 ? std::clamp(slope_at_start / (slope_at_start - slope), 0.2, 0.7) : 0.5;
 }
 
 /// x -= fraction * y with the largest fraction every contribution can bear; stored quantities go along.
@@ -307,7 +321,10 @@ void NewtonSolver::Implementation::update(Vec x, Vec y)
   for (const auto *work : works)
     fraction = std::min(fraction, work->largest_step(*state, increment));
   MPI_Allreduce(MPI_IN_PLACE, &fraction, 1, MPI_DOUBLE, MPI_MIN, comm);
-  fraction = search(increment, -pressure_of(y), capped(increment, fraction));
+  fraction = capped(increment, fraction);
+  if (struggling &&
+      fraction == 1) // otherwise left alone: a perfect step of a nearly incompressible body raises the slope
+    fraction = search(increment, -pressure_of(y));
   for (auto *work : works)
     work->advance(*state, increment, fraction);
   petsc(VecAXPY(x, -fraction, y));
@@ -369,6 +386,7 @@ NewtonSolver::Outcome NewtonSolver::solve(State &state, const Target &target)
   impl_->target = target;
   impl_->outcome = {};
   impl_->small_steps = impl_->struggles = 0;
+  impl_->struggling = impl_->convex = false;
   impl_->system.scatter(state.displacement, impl_->u);
   impl_->combine(impl_->u, state.pressure, impl_->x);
   impl_->begin_iteration(0);

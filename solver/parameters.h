@@ -95,8 +95,9 @@ struct Load {
 struct ContactPair {
   std::string name;
   std::vector<std::string> secondary, primary;
-  double friction = 0.3, thickness = 0.35, stiffness = 40, onset = 0.06, penetration_limit = 0.15;
+  double friction = 0.3, thickness = 0.35, stiffness = 15, onset = 0.06, penetration_limit = 0.15;
   double slip_velocity = 3; // mm/s
+  int points_per_side = 5;
   template <class Self, class Visitor>
   static void fields(Self &self, Visitor &v)
   {
@@ -110,6 +111,9 @@ struct ContactPair {
     v.quantity("onset", self.onset, "mm", 0, 1, "penetration over which the stiffness grows from zero");
     v.quantity("slip_velocity", self.slip_velocity, "mm/s", 1e-6, 1e6,
                "sliding speed at which friction is regularised: below it the surfaces stick elastically");
+    v.count(
+        "points_per_side", self.points_per_side, 2, 20,
+        "contact points per side of a secondary face; their distance must stay below the thickness as it stretches");
     v.quantity("penetration_limit", self.penetration_limit, "mm", 0, 10, "a step that ends deeper is rejected");
   }
 };
@@ -160,8 +164,9 @@ struct Path {
   int preload_steps = 4;
   int load_steps = 10;
   bool inertia = true;
-  double step_initial = 2e-3, step_min = 1e-6, step_max = 2e-2; // s (fraction of the run under `load`)
+  double step_initial = 2e-3, step_min = 1e-5, step_max = 4e-2; // s (fraction of the run under `load`)
   int max_steps = 1000;
+  int max_setbacks = 24;
   double time_limit = infinity; // s of wall time
   int checkpoint_every = 10;    // steps
   template <class Self, class Visitor>
@@ -190,6 +195,8 @@ struct Path {
     v.quantity("step_min", self.step_min, "s", 1e-12, 1e3, "smallest time step; below it the path has diverged");
     v.quantity("step_max", self.step_max, "s", 1e-9, 1e9, "largest time step");
     v.count("max_steps", self.max_steps, 1, 1000000, "the path ends after so many steps");
+    v.count("max_setbacks", self.max_setbacks, 1, 1000000,
+            "the path has come to a standstill when twice the rejected attempts exceed the steps by more than this");
     v.quantity("time_limit", self.time_limit, "s", 0, 1e9, "wall time after which the path ends");
     v.count("checkpoint_every", self.checkpoint_every, 1, 1000000, "steps between checkpoints");
   }

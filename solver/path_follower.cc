@@ -87,6 +87,7 @@ bool PathFollower::advance(PathProgress &progress, const Observer &observe, cons
   std::ostringstream line;
   if (!objection.empty()) {
     ++progress.cuts;
+    progress.setbacks += 2;
     (preloading(progress) ? progress.stretch : progress.dt) *= 0.4;
     line << "cut  dt " << attempt.step.dt << " s: " << objection << ";" << residual_text(outcome);
     log(line.str());
@@ -102,6 +103,7 @@ bool PathFollower::advance(PathProgress &progress, const Observer &observe, cons
   progress.volume = outcome.volume;
   progress.pressure_peak = std::max(progress.pressure_peak, progress.state.pressure);
   ++progress.step;
+  progress.setbacks = std::max(0, progress.setbacks - 1);
 
   PathPoint point{progress, attempt.step.dt, reference_volume_, outcome};
   const Energies after = equilibrium_.energies(progress.state);
@@ -150,6 +152,8 @@ PathResult PathFollower::run(PathProgress &progress, const Observer &observe, co
         return result; // the observer has seen enough
     } else if (preloading(progress) ? progress.stretch < 1e-6 : progress.dt < path_.step_min) {
       return {PathStatus::diverged, "the step became smaller than allowed; last attempt: " + result.reason};
+    } else if (progress.setbacks > path_.max_setbacks) {
+      return {PathStatus::diverged, "the path has come to a standstill; last attempt: " + result.reason};
     }
   }
 }

@@ -11,6 +11,7 @@ struct PathProgress {
   State state;
   int step = 0;             ///< converged steps
   int cuts = 0;             ///< rejected attempts
+  int setbacks = 0;         ///< two more with every cut, one less with every step: grows when the path stands still
   int iterations = 0;       ///< Newton iterations of all attempts
   double load_factor = 0;   ///< of gravity, loads and moved supports
   double stretch = 0;       ///< next increment of the load factor

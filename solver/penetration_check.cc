@@ -96,7 +96,8 @@ std::vector<PenetrationCheck::Shell> PenetrationCheck::shells(const Mesh &mesh, 
 }
 
 PenetrationCheck::PenetrationCheck(const Mesh &mesh, const ContactPair &pair, double tolerance)
-    : mesh_(mesh), tolerance_(tolerance), secondary_(shells(mesh, pair.secondary)), primary_(shells(mesh, pair.primary))
+    : mesh_(mesh), tolerance_(tolerance), secondary_(shells(mesh, pair.secondary)),
+      primary_(shells(mesh, pair.primary)), rounded_(primary_patches(mesh, pair.primary, pair.thickness))
 {
   const auto secondary_bodies = bodies_of(mesh, pair.secondary), primary_bodies = bodies_of(mesh, pair.primary);
   primary_nodes_ = difference(free_surface_nodes(mesh, primary_bodies), nodes_of(mesh, secondary_bodies));
@@ -114,28 +115,27 @@ PenetrationCheck::PenetrationCheck(const Mesh &mesh, const ContactPair &pair, do
     std::erase(primary_nodes_, v.node);
     std::erase(secondary_nodes_, v.node);
   }
-  overhang_ = overhangs(pair);
+  overhang_ = overhangs(pair.thickness);
 }
 
-std::vector<double> PenetrationCheck::overhangs(const ContactPair &pair) const
+std::vector<double> PenetrationCheck::overhangs(double thickness) const
 {
   const std::vector<double> rest(3 * mesh_.nodes.size());
   const CurrentPosition position = {mesh_, rest};
-  const auto patches = primary_patches(mesh_, pair.primary, pair.thickness);
   std::vector<PatchNodes> nodes;
   std::vector<Box> boxes;
-  for (const PrimaryPatch &patch : patches) {
+  for (const PrimaryPatch &patch : rounded_) {
     nodes.push_back(at_depth(patch, position));
     boxes.push_back(enclosing_box(nodes.back()));
   }
   const BoxTree tree(std::move(boxes));
-  const double most = (std::sqrt(3.) - 1) * pair.thickness; // of a right-angled corner
+  const double most = (std::sqrt(3.) - 1) * thickness; // of a right-angled corner
   std::vector<double> overhang;
   for (const Node n : primary_nodes_) {
     double outside = most, nearest = infinity;
     tree.nearest(position(n), infinity, [&](std::uint32_t index, double) {
-      const double distance = closest_point(nodes[index], patches[index].range, position(n)).distance;
-      outside = std::min(outside, distance - patches[index].radius);
+      const double distance = closest_point(nodes[index], rounded_[index].range, position(n)).distance;
+      outside = std::min(outside, distance - rounded_[index].radius);
       return nearest = std::min(nearest, distance);
     });
     overhang.push_back(std::max(outside, 0.));
@@ -188,6 +188,18 @@ void PenetrationCheck::find_through_wall(const CurrentPosition &position, std::v
   }
 }
 
+/// Depth of a point that lies `depth` behind the sharp surface. Rarely asked, so all patches are tried.
+double PenetrationCheck::depth_in_rounded(const CurrentPosition &position, const Point3 &x, double depth) const
+{
+  double deepest = 0;
+  for (const PrimaryPatch &patch : rounded_) {
+    if (depth >= patch.radius)
+      return depth; // behind the core
+    deepest = std::max(deepest, patch.radius - closest_point(at_depth(patch, position), patch.range, x).distance);
+  }
+  return deepest;
+}
+
 void PenetrationCheck::find_in_cells(const CurrentPosition &position, std::vector<Violation> &violations) const
 {
   std::vector<CellNodes> cells;
@@ -212,7 +224,7 @@ void PenetrationCheck::find_in_cells(const CurrentPosition &position, std::vecto
       shell_tree.nearest(x, infinity, [&](std::uint32_t shell, double) {
         return depth = std::min(depth, closest_point(at_nodes(primary_[shell].nodes, position), {}, x).distance);
       });
-      if (depth > tolerance_)
+      if (depth > tolerance_ && depth_in_rounded(position, x, depth) > tolerance_)
         violations.push_back(violation(n, x, depth, primary_cells_[index]));
     });
   }

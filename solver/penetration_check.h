@@ -25,15 +25,16 @@ struct Violation {
 class PenetrationCheck
 {
 public:
-  /// `mesh` must outlive this. `tolerance`: depth in mm that soft contact is allowed; nodes of convex edges and corners
-  /// may lie deeper by what the contact's rounding (radius = thickness of the pair) takes away from them.
+  /// `mesh` must outlive this. `tolerance`: depth in mm that soft contact is allowed. Convex edges and corners count as
+  /// the contact sees them, rounded (radius = thickness of the pair): their nodes stand out, and others may lie in what
+  /// the rounding has taken away.
   PenetrationCheck(const Mesh &mesh, const ContactPair &pair, double tolerance);
 
   std::vector<Violation> find(const State &) const;
 
 private:
   /// How far a node of a sharp edge stands out of the rounded edges that the contact works with, mm at rest.
-  std::vector<double> overhangs(const ContactPair &) const;
+  std::vector<double> overhangs(double thickness) const;
 
   struct Shell { ///< one face of a surface
     Face face;
@@ -44,6 +45,7 @@ private:
   const Mesh &mesh_;
   double tolerance_;
   std::vector<Shell> secondary_, primary_;
+  std::vector<contact::PrimaryPatch> rounded_; ///< the primary surface as the contact sees it
   std::vector<Node> secondary_nodes_, primary_nodes_;
   std::vector<double> overhang_; ///< one per primary node: it may lie deeper by that
   std::vector<std::uint32_t> primary_cells_;
@@ -51,6 +53,7 @@ private:
   static std::vector<Shell> shells(const Mesh &, const std::vector<std::string> &names);
   void find_through_wall(const contact::CurrentPosition &, std::vector<Violation> &) const;
   void find_in_cells(const contact::CurrentPosition &, std::vector<Violation> &) const;
+  double depth_in_rounded(const contact::CurrentPosition &, const contact::Point3 &, double depth) const;
   Violation violation(Node, const contact::Point3 &, double depth, std::uint32_t cell) const;
 };
 

@@ -43,6 +43,9 @@ public:
   virtual void residual(const State &, Assembly &) const = 0;
   virtual void tangent(const State &, Assembly &) const = 0;
 
+  /// While on, the tangent leaves out the parts that make it indefinite.
+  virtual void convexify(bool /*on*/) {}
+
   /// Carries the stored Newton quantities (stresses, pressures) along with the displacement increment
   /// `fraction` * `increment` that starts at `from`.
   virtual void advance(const State & /*from*/, std::span<const double> /*increment*/, double /*fraction*/) {}

@@ -105,7 +105,9 @@ void PebsShapeGauge::measure(const solver::PathPoint &point, const solver::Equil
   row.emplace_back("balloon_stress_max_MPa", largest_in_body(model_.mesh, stress, "balloon"));
   row.emplace_back("backbone_stress_max_MPa", largest_in_body(model_.mesh, stress, "backbone"));
   row.emplace_back("max_bulge_mm", m.max_bulge);
+  row.emplace_back("localisation_index", m.localisation);
   row.emplace_back("rib_contact_fraction", touched.rib_fraction);
+  row.emplace_back("rib_opening_mm", m.rib_opening);
   for (std::size_t gap = 1; gap <= m.gaps.size(); ++gap)
     row.emplace_back(numbered("gap_%02d_deg", gap), m.gaps[gap - 1]);
 }

@@ -38,6 +38,7 @@ solver::ContactPair cage_contact(const ContactDefaults &contact)
   pair.stiffness = contact.stiffness;
   pair.thickness = contact.thickness;
   pair.onset = contact.onset;
+  pair.points_per_side = contact.points_per_side;
   pair.penetration_limit = contact.penetration_limit;
   return pair;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "studies/content_hash.h"
 #include "studies/field_writer.h"
+#include "studies/reduced_parameters.h"
 #include "studies/toml_document.h"
 #include <array>
 #include <cstdint>
@@ -21,9 +22,11 @@ std::string text_hash(std::string_view text)
 
 std::string content_hash(const Study &study)
 {
-  Study physics = study;
+  const ModelKind model = study.method.model;
+  Study physics = model == ModelKind::reduced ? reduced_view(study) : study;
   physics.title = {};
   physics.method = {};
+  physics.method.model = model;
   physics.variables.clear();
   physics.objective.reset();
   physics.constraints.clear();

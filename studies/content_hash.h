@@ -8,7 +8,8 @@ namespace ballonet::studies
 {
 
 /// Identity of a simulation, 16 hexadecimal digits: hash of all resolved inputs that can change its result, with the
-/// content of a mesh file in place of its name. Title, method, variables, judgement and parallel use do not count.
+/// content of a mesh file in place of its name, and the model that computes it; of the reduced model, those inputs it
+/// takes notice of. Title, method, variables, output and parallel use do not count.
 std::string content_hash(const Study &study);
 
 /// FNV-1a of 64 bits (Fowler, Noll, Vo), 16 hexadecimal digits.

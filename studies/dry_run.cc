@@ -20,7 +20,6 @@ std::string mesh_text(const geometry::Mesh &mesh)
 
 bool print_dry_run(const StudyFile &file, const RankGroups &groups, std::ostream &out)
 {
-  const auto built = build_model(file.study());
   int ranks = 1;
   MPI_Comm_size(groups.all(), &ranks);
   out << "study:       " << file.study().title.name << "\n"
@@ -28,6 +27,11 @@ bool print_dry_run(const StudyFile &file, const RankGroups &groups, std::ostream
       << "variables:   " << file.space().size() << "\n"
       << "evaluations: at most " << largest_number_of_evaluations(file) << "\n"
       << "ranks:       " << ranks << ", " << groups.count() << " evaluation(s) at a time\n";
+  if (file.study().method.model == ModelKind::reduced) {
+    out << "mesh:        none, the reduced model needs none\n";
+    return true;
+  }
+  const auto built = build_model(file.study());
   if (const auto *failure = std::get_if<geometry::MeshFailure>(&built)) {
     out << "mesh:        none: " << failure->reason << "\n";
     return false;

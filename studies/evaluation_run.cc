@@ -86,13 +86,13 @@ public:
 
   const std::vector<Row> &rows() const { return rows_; }
 
-private:
   void log(const std::string &line)
   {
     if (log_.is_open())
       log_ << line << std::endl;
   }
 
+private:
   /// A kill may leave a file of shapes that cannot be read: then they begin anew, the path does not.
   void open_shapes(int steps_done)
   {
@@ -155,6 +155,15 @@ void write_mesh(const geometry::Mesh &mesh, const std::filesystem::path &folder,
 
 } // namespace
 
+optimize::Evaluation recorded_evaluation(JournalFormat &format, const std::string &hash, const optimize::Design &design,
+                                         int number, const EvaluationOutcome &outcome)
+{
+  format.set_origin(hash, {number, outcome.mesh_hash});
+  if (outcome.judgement)
+    format.set_judgement(hash, *outcome.judgement);
+  return {hash, design, outcome.status, outcome.reason, outcome.responses, outcome.seconds, false};
+}
+
 EvaluationOutcome run_evaluation(const Study &study, const std::filesystem::path &folder, MPI_Comm communicator,
                                  const std::function<void()> &between_steps)
 {
@@ -172,7 +181,10 @@ EvaluationOutcome run_evaluation(const Study &study, const std::filesystem::path
     const solver::PathResult result = session.run(between_steps);
     outcome.status = status_of(result.status);
     outcome.reason = result.reason;
-    outcome.responses = responses_of(study, session.rows(), outcome.status == optimize::Status::ok);
+    outcome.judgement = judgement_of(study, session.rows(), outcome.status, outcome.reason);
+    outcome.responses = responses_of(study, session.rows(), outcome.status == optimize::Status::ok, outcome.judgement);
+    if (outcome.judgement)
+      session.log("class: " + word_of(outcome.judgement->path_class) + ", " + outcome.judgement->reason);
   }
   outcome.seconds = MPI_Wtime() - start;
   MPI_Bcast(&outcome.seconds, 1, MPI_DOUBLE, 0, communicator);

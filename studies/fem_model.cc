@@ -122,17 +122,9 @@ void FemModel::work_on(const std::vector<Task> &tasks)
 optimize::Evaluation FemModel::compute(const Task &task)
 {
   const Study study = study_.with(task.design);
-  optimize::Evaluation evaluation;
-  evaluation.hash = studies::content_hash(study);
-  evaluation.design = task.design;
   const EvaluationOutcome outcome =
       guarded(groups_, [&] { return run_evaluation(study, task.folder, groups_.group(), [this] { collect(false); }); });
-  evaluation.status = outcome.status;
-  evaluation.reason = outcome.reason;
-  evaluation.responses = outcome.responses;
-  evaluation.seconds = outcome.seconds;
-  format_.set_origin(evaluation.hash, {task.number, outcome.mesh_hash});
-  return evaluation;
+  return recorded_evaluation(format_, studies::content_hash(study), task.design, task.number, outcome);
 }
 
 void FemModel::hand_over(const optimize::Evaluation &evaluation)

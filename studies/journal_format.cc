@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "studies/journal_format.h"
+#include "studies/judgement_format.h"
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -43,6 +44,8 @@ std::string JournalFormat::write(const optimize::Evaluation &evaluation) const
     json["responses"][name] = std::isfinite(value) ? Json(value) : Json(nullptr);
   json["seconds"] = evaluation.seconds;
   json["mesh_hash"] = from.mesh_hash;
+  if (const Judgement *judged = judgement(evaluation.hash))
+    json["judgement"] = json_of(*judged);
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
@@ -52,10 +55,18 @@ optimize::Evaluation JournalFormat::read(const std::string &line)
     const Json json = Json::parse(line);
     optimize::Evaluation evaluation = evaluation_of(json, space_);
     set_origin(evaluation.hash, {json.at("id").get<int>(), json.at("mesh_hash").get<std::string>()});
+    if (json.contains("judgement"))
+      set_judgement(evaluation.hash, judgement_of(json.at("judgement")));
     return evaluation;
   } catch (const Json::exception &e) {
     throw std::invalid_argument(std::string("not an evaluation of this study: ") + e.what());
   }
+}
+
+const Judgement *JournalFormat::judgement(const std::string &hash) const
+{
+  const auto found = judgements_.find(hash);
+  return found == judgements_.end() ? nullptr : &found->second;
 }
 
 optimize::LineFormat JournalFormat::line_format()

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 #include "optimize/journal.h"
+#include "studies/instability.h"
 #include <map>
 #include <string>
 
@@ -14,7 +15,8 @@ struct Origin {
 };
 
 /// Evaluations as lines of journal.jsonl: {"id", "hash", "design", "units", "status", "reason", "responses", "seconds",
-/// "mesh_hash"}. Numbers are written so that they read back bit by bit; a response that is not finite is null.
+/// "mesh_hash", "judgement"}. Numbers are written so that they read back bit by bit; a response that is not finite is
+/// null. Evaluations without a judged path, and those of versions that did not judge, have no "judgement".
 class JournalFormat
 {
 public:
@@ -23,18 +25,23 @@ public:
   /// The origin must have been set.
   std::string write(const optimize::Evaluation &evaluation) const;
 
-  /// Remembers the origin. Throws std::invalid_argument if the line is no evaluation of this space.
+  /// Remembers origin and judgement. Throws std::invalid_argument if the line is no evaluation of this space.
   optimize::Evaluation read(const std::string &line);
 
   void set_origin(const std::string &hash, Origin origin) { origins_[hash] = std::move(origin); }
   const Origin &origin(const std::string &hash) const { return origins_.at(hash); }
+
+  void set_judgement(const std::string &hash, Judgement judgement) { judgements_[hash] = std::move(judgement); }
+  /// nullptr if there is none.
+  const Judgement *judgement(const std::string &hash) const;
 
   /// For optimize::Journal; this object must outlive it.
   optimize::LineFormat line_format();
 
 private:
   optimize::DesignSpace space_;
-  std::map<std::string, Origin> origins_; // by hash of the evaluation
+  std::map<std::string, Origin> origins_;       // by hash of the evaluation
+  std::map<std::string, Judgement> judgements_; // likewise
 };
 
 } // namespace ballonet::studies

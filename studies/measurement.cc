@@ -6,24 +6,10 @@
 #include "studies/response_gauge.h"
 #include "studies/stages.h"
 #include <algorithm>
-#include <limits>
-#include <numbers>
 #include <stdexcept>
 
 namespace ballonet::studies
 {
-namespace
-{
-
-StageThresholds stage_thresholds(const Study &study)
-{
-  const geometry::Pebs &pebs = study.actuator.pebs;
-  const double radius = pebs.balloon.diameter / 2;
-  return {study.judge.head_force_share, study.judge.contact_share, std::numbers::pi * radius * radius,
-          pebs.ribs.thickness};
-}
-
-} // namespace
 
 Measurement::Measurement(const Study &study, const SimulationModel &model, MPI_Comm communicator)
 {
@@ -95,14 +81,6 @@ std::vector<std::uint32_t> surface_nodes(const geometry::Mesh &mesh, const std::
   std::sort(nodes.begin(), nodes.end());
   nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
   return nodes;
-}
-
-double value_of(const Row &row, const std::string &column)
-{
-  for (const auto &[name, value] : row)
-    if (name == column)
-      return value;
-  return std::numeric_limits<double>::quiet_NaN();
 }
 
 } // namespace ballonet::studies

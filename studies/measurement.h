@@ -1,18 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 #include "solver/simulation.h"
+#include "studies/history_row.h"
 #include "studies/simulation_model.h"
 #include <memory>
 #include <mpi.h>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace ballonet::studies
 {
-
-/// Numbers with their names, in the order of the columns of history.csv; a stage stands there by its number.
-using Row = std::vector<std::pair<std::string, double>>;
 
 /// One part of what is measured at a converged step.
 class Gauge
@@ -53,8 +50,5 @@ std::array<double, 3> sum_over(const std::vector<std::uint32_t> &nodes, const st
 
 /// The nodes of a surface, each once. Throws std::invalid_argument if the mesh has no such surface.
 std::vector<std::uint32_t> surface_nodes(const geometry::Mesh &mesh, const std::string &surface);
-
-/// The number of a column; NaN if there is none.
-double value_of(const Row &row, const std::string &column);
 
 } // namespace ballonet::studies

@@ -25,11 +25,15 @@ struct Variable {
 };
 
 enum class MethodKind { solve, sample, map, optimize, pareto, calibrate, invert };
+
+/// What computes a design: the finite element simulation, the reduced model of a PEBS, or each of them.
+enum class ModelKind { fem, reduced, both };
 enum class Sampling { latin_hypercube, full_factorial };
 
 /// What is done with the variables.
 struct Method {
   MethodKind kind = MethodKind::solve;
+  ModelKind model = ModelKind::fem;
   Sampling sampling = Sampling::latin_hypercube;
   optimize::SearchOptions search;
 
@@ -45,6 +49,9 @@ struct Method {
               {"calibrate", MethodKind::calibrate},
               {"invert", MethodKind::invert}},
              "one simulation, a sample of the variables, or a search");
+    v.choice(
+        "model", self.model, {{"fem", ModelKind::fem}, {"reduced", ModelKind::reduced}, {"both", ModelKind::both}},
+        "what computes a design: finite elements, or (pebs only) the reduced model, which takes milliseconds, or both");
     v.choice("sampling", self.sampling,
              {{"latin_hypercube", Sampling::latin_hypercube}, {"full_factorial", Sampling::full_factorial}},
              "sample: how max_evaluations designs are spread");

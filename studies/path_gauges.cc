@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "studies/path_gauges.h"
+#include <algorithm>
 
 namespace ballonet::studies
 {
@@ -33,7 +34,7 @@ void CavityGauge::measure(const solver::PathPoint &point, const solver::Equilibr
   row.emplace_back("volume_ratio", volume_ratio(point));
 }
 
-void NumericsGauge::measure(const solver::PathPoint &point, const solver::Equilibrium &, Row &row)
+void NumericsGauge::measure(const solver::PathPoint &point, const solver::Equilibrium &equilibrium, Row &row)
 {
   const int cuts = fresh_ ? 0 : point.progress.cuts - cuts_;
   cuts_ = point.progress.cuts;
@@ -41,6 +42,13 @@ void NumericsGauge::measure(const solver::PathPoint &point, const solver::Equili
   row.emplace_back("negative_eigenvalues", point.newton.negative_pivots);
   row.emplace_back("newton_iterations", point.newton.iterations());
   row.emplace_back("cuts", cuts);
+  row.emplace_back("residual", point.newton.residuals.back());
+  if (const auto contacts = equilibrium.contact(point.progress.state); !contacts.empty()) {
+    double deepest = 0;
+    for (const solver::ContactSummary &contact : contacts)
+      deepest = std::max(deepest, contact.penetration);
+    row.emplace_back("penetration_mm", deepest);
+  }
   row.emplace_back("dissipated_share", point.dissipated_share);
   row.emplace_back("kinetic_share", point.kinetic_share);
 }

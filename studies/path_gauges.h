@@ -27,8 +27,8 @@ private:
   int copies_;
 };
 
-/// How the step was found: negative_eigenvalues, newton_iterations, cuts since the last step, dissipated_share,
-/// kinetic_share.
+/// How the step was found: negative_eigenvalues, newton_iterations, cuts since the last step, residual, penetration_mm,
+/// dissipated_share, kinetic_share.
 class NumericsGauge : public Gauge
 {
 public:

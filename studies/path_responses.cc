@@ -16,7 +16,8 @@ double angle_at_pressure(const std::vector<Row> &rows, double pressure_kPa)
   return std::numeric_limits<double>::quiet_NaN();
 }
 
-std::map<std::string, double> responses_of(const Study &study, const std::vector<Row> &rows, bool complete)
+std::map<std::string, double> responses_of(const Study &study, const std::vector<Row> &rows, bool complete,
+                                           const std::optional<Judgement> &judgement)
 {
   std::map<std::string, double> responses;
   if (rows.empty())
@@ -37,6 +38,8 @@ std::map<std::string, double> responses_of(const Study &study, const std::vector
     if (std::isnan(angle) && complete)
       angle = value_of(rows.back(), "bending_angle_deg");
   }
+  if (judgement)
+    responses.merge(margins_of(*judgement));
   return responses;
 }
 

@@ -48,15 +48,19 @@ PebsMeasures PebsGauge::measure(const std::vector<Point> &deformed, double previ
   const auto frames = rib_frames(deformed);
   for (std::size_t k = 1; k < frames.size(); ++k)
     m.gaps.push_back(angles(relative_rotation(frames[k - 1].rotation, frames[k].rotation)).bending);
+  m.rib_opening = rib_opening(deformed, frames);
   if (balloon_) {
     m.axial_ratio = balloon_->axial_ratio(deformed);
     m.radial_ratio = balloon_->radial_ratio(deformed);
-    m.max_bulge = max_bulge(deformed, frames);
+    const auto bulges = gap_bulges(deformed, frames);
+    m.max_bulge = *std::max_element(bulges.begin(), bulges.end());
+    m.localisation = localisation_index(bulges);
   }
   return m;
 }
 
-double PebsGauge::max_bulge(const std::vector<Point> &deformed, const std::vector<RigidFrame> &frames) const
+std::vector<double> PebsGauge::gap_bulges(const std::vector<Point> &deformed,
+                                          const std::vector<RigidFrame> &frames) const
 {
   std::vector<CageAxis::Station> stations;
   for (std::size_t k = 0; k < frames.size(); ++k) {
@@ -64,11 +68,22 @@ double PebsGauge::max_bulge(const std::vector<Point> &deformed, const std::vecto
     stations.push_back({frames[k].map({0, 0, z}), frames[k].normal()});
   }
   const CageAxis axis(std::move(stations));
-  double largest = 0;
+  std::vector<double> bulges(layout_.ribs.size(), -layout_.inner_radius);
   for (const geometry::BalloonNode &node : layout_.balloon_outer)
-    if (const auto radius = axis.radius_of(deformed[node.node]))
-      largest = std::max(largest, *radius);
-  return largest - layout_.inner_radius;
+    if (const auto place = axis.place_of(deformed[node.node]))
+      bulges[place->gap] = std::max(bulges[place->gap], place->radius - layout_.inner_radius);
+  return bulges;
+}
+
+double PebsGauge::rib_opening(const std::vector<Point> &deformed, const std::vector<RigidFrame> &frames) const
+{
+  double largest = 0;
+  for (std::size_t k = 0; k < layout_.ribs.size(); ++k)
+    for (const std::uint32_t node : layout_.ribs[k].nodes) {
+      const Point at_rest = reference_[node], now = frames[k + 1].pull_back(deformed[node]);
+      largest = std::max(largest, std::hypot(now[0], now[1]) - std::hypot(at_rest[0], at_rest[1]));
+    }
+  return largest;
 }
 
 std::optional<double> CageAxis::radius_in_gap(const Point &point, std::size_t gap) const
@@ -90,13 +105,23 @@ std::optional<double> CageAxis::radius_in_gap(const Point &point, std::size_t ga
   return std::sqrt(std::max(0., dot(offset, offset) - along * along));
 }
 
-std::optional<double> CageAxis::radius_of(const Point &point) const
+std::optional<CageAxis::Place> CageAxis::place_of(const Point &point) const
 {
-  std::optional<double> nearest; // a bent cage may have the point between several pairs of planes
+  std::optional<Place> nearest; // a bent cage may have the point between several pairs of planes
   for (std::size_t gap = 0; gap + 1 < stations_.size(); ++gap)
-    if (const auto radius = radius_in_gap(point, gap); radius && (!nearest || *radius < *nearest))
-      nearest = radius;
+    if (const auto radius = radius_in_gap(point, gap); radius && (!nearest || *radius < nearest->radius))
+      nearest = Place{gap, *radius};
   return nearest;
+}
+
+double localisation_index(const std::vector<double> &gap_bulges)
+{
+  double largest = 0, sum = 0;
+  for (const double bulge : gap_bulges) {
+    largest = std::max(largest, bulge);
+    sum += std::max(0., bulge);
+  }
+  return largest > 0 ? largest * static_cast<double>(gap_bulges.size()) / sum : 1;
 }
 
 double touched_share(const std::vector<std::vector<std::uint32_t>> &rib_cells, const std::vector<bool> &touched,

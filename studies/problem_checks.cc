@@ -3,6 +3,7 @@
 #include "geometry/boundary.h"
 #include "geometry/mesh_io.h"
 #include "geometry/parameter_check.h"
+#include "studies/reduced_checks.h"
 #include <algorithm>
 #include <filesystem>
 #include <set>
@@ -181,6 +182,8 @@ void check_actuator(const Study &study, const TomlDocument &document)
   if (study.actuator.kind == ActuatorKind::balloon)
     return report(geometry::check(study.actuator.balloon.balloon), document);
   check_material(study.actuator.backbone_material, "actuator.backbone_material", study, document);
+  if (study.method.model != ModelKind::fem)
+    check_reduced(study, document); // before the checks of a mesh it needs not
   if (!study.actuator.pebs.with_balloon && study.path.control != solver::Control::load)
     throw document.error("path.control", "a control that needs a balloon", "load, or actuator.with_balloon = true");
   report(geometry::check(study.actuator.pebs, study.mesh), document);

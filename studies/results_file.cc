@@ -31,13 +31,15 @@ void write_columns(Hdf5File &file, const std::string &group, const std::vector<R
 }
 
 void write_evaluation(Hdf5File &file, const std::filesystem::path &folder, const Evaluation &evaluation,
-                      const optimize::DesignSpace &space)
+                      const optimize::DesignSpace &space, const JournalFormat &format)
 {
   const std::string group = "/evaluations/" + folder.filename().string();
   file.create_group(group);
   file.write_attribute(group, "status", std::string(optimize::word_of(evaluation.status)));
   file.write_attribute(group, "reason", evaluation.reason);
   file.write_attribute(group, "hash", evaluation.hash);
+  if (const Judgement *judgement = format.judgement(evaluation.hash))
+    file.write_attribute(group, "class", word_of(judgement->path_class));
   for (std::size_t i = 0; i < space.size(); ++i)
     file.write_attribute(group, space.variable(i).key, evaluation.design.at(i));
   write_columns(file, group, read_history(folder / "history.csv"));
@@ -81,7 +83,8 @@ void write_results_file(const ResultsDirectory &directory, const StudyFile &stud
     for (std::size_t i = 0; i < study.space().size(); ++i)
       file.write_attribute("/evaluations", study.space().variable(i).key, study.space().variable(i).unit);
     for (const Evaluation &evaluation : result.evaluations)
-      write_evaluation(file, directory.folder(format.origin(evaluation.hash).number), evaluation, study.space());
+      write_evaluation(file, directory.folder(format.origin(evaluation.hash).number), evaluation, study.space(),
+                       format);
     write_convergence(file, study.study(), result, format);
     file.flush();
   }

@@ -11,7 +11,8 @@ namespace ballonet::studies
 ///
 ///   /evaluations        attributes: the unit of each variable, by its key
 ///   /evaluations/0001   one data set per column of its history.csv (the stage by its number, words in the attribute
-///                       `words`); attributes status, reason, hash and the value of each variable, by its key
+///                       `words`); attributes status, reason, hash, class (of judged paths) and the value of each
+///                       variable, by its key
 ///   /convergence        data sets evaluation (number), objective, best_so_far (NaN where there is none), feasible
 ///                       (whether the best so far keeps all constraints), in the order in which designs were asked for
 ///

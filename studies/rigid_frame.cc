@@ -91,6 +91,15 @@ Point RigidFrame::map(const Point &reference) const
   return result;
 }
 
+Point RigidFrame::pull_back(const Point &present) const
+{
+  Point result = reference_centre;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j)
+      result[i] += rotation[j][i] * (present[j] - centre[j]);
+  return result;
+}
+
 RigidFrame best_fit(const std::vector<Point> &reference, const std::vector<Point> &deformed,
                     const std::vector<std::uint32_t> &nodes, bool symmetric)
 {

@@ -17,6 +17,8 @@ struct RigidFrame {
 
   /// Where a point of the undeformed space goes.
   Point map(const Point &reference) const;
+  /// Which point of the undeformed space goes there.
+  Point pull_back(const Point &present) const;
   /// Where a direction of the undeformed space goes.
   Point turn(const Point &direction) const;
   /// Where the direction of the axis (z) goes.

@@ -3,12 +3,14 @@
 #include "studies/atomic_file.h"
 #include "studies/commands.h"
 #include "studies/dry_run.h"
-#include "studies/fem_model.h"
+#include "studies/paired_model.h"
+#include "studies/reduced_model.h"
 #include "studies/report.h"
 #include "studies/results_file.h"
 #include "studies/study_run.h"
 #include "studies/summary.h"
 #include <iomanip>
+#include <memory>
 
 namespace ballonet::studies
 {
@@ -40,7 +42,7 @@ public:
   Run(const StudyFile &study, const std::filesystem::path &path, const RankGroups &groups, std::ostream &out)
       : study_(study), out_(out), start_(MPI_Wtime()), ranks_(size_of(groups.all())), format_(study.space()),
         directory_(path, study, ranks_), journal_(directory_.journal(), format_.line_format()),
-        model_(study, &directory_, format_, groups), evaluator_(model_, &journal_)
+        model_(make_model(groups)), evaluator_(*model_, &journal_)
   {
   }
 
@@ -66,6 +68,16 @@ private:
     int size = 1;
     MPI_Comm_size(communicator, &size);
     return size;
+  }
+
+  /// The other ranks wait for an FemModel; without one they are let go at the end.
+  std::unique_ptr<optimize::ForwardModel> make_model(const RankGroups &groups)
+  {
+    if (study_.study().method.model == ModelKind::reduced)
+      return std::make_unique<ReducedModel>(study_, directory_, format_);
+    if (study_.study().method.model == ModelKind::both)
+      return std::make_unique<PairedModel>(study_, directory_, format_, groups);
+    return std::make_unique<FemModel>(study_, &directory_, format_, groups);
   }
 
   void write(Summary &summary) const
@@ -102,7 +114,7 @@ private:
   JournalFormat format_;
   ResultsDirectory directory_;
   optimize::Journal journal_;
-  FemModel model_;
+  std::unique_ptr<optimize::ForwardModel> model_;
   optimize::Evaluator evaluator_;
 };
 

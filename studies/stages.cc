@@ -2,6 +2,7 @@
 #include "studies/stages.h"
 #include <algorithm>
 #include <array>
+#include <numbers>
 #include <stdexcept>
 
 namespace ballonet::studies
@@ -13,6 +14,14 @@ constexpr std::array<const char *, 4> words = {"separation", "insufficient", "su
 constexpr double MPa_per_kPa = 1e-3;
 
 } // namespace
+
+StageThresholds stage_thresholds(const Study &study)
+{
+  const geometry::Pebs &pebs = study.actuator.pebs;
+  const double radius = pebs.balloon.diameter / 2;
+  return {study.judge.head_force_share, study.judge.contact_share, std::numbers::pi * radius * radius,
+          pebs.ribs.thickness};
+}
 
 std::string word_of(Stage stage) { return words.at(static_cast<std::size_t>(stage)); }
 

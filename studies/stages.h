@@ -32,6 +32,9 @@ struct StageThresholds {
   double rib_thickness = 0;       ///< excessive: bulge, mm
 };
 
+/// Those of a PEBS study.
+StageThresholds stage_thresholds(const Study &study);
+
 /// Tells the stage from the rows of a history. A stage once reached is not left for an earlier one; it may be skipped.
 class StageTracker
 {

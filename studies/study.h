@@ -68,7 +68,8 @@ struct Actuator {
 
 /// The block [contact]: the contact pairs of the built-in actuators.
 struct ContactDefaults {
-  double friction = 0.3, stiffness = 40, thickness = 0.35, onset = 0.06, penetration_limit = 0.15;
+  double friction = 0.3, stiffness = 15, thickness = 0.35, onset = 0.06, penetration_limit = 0.15;
+  int points_per_side = 8;
 
   template <class Self, class Visitor>
   static void fields(Self &self, Visitor &v)
@@ -78,6 +79,9 @@ struct ContactDefaults {
     v.quantity("thickness", self.thickness, "mm", 0, 10,
                "how far a surface is moved back into its body; rounds its edges by the same radius");
     v.quantity("onset", self.onset, "mm", 0, 1, "penetration over which the stiffness grows from zero");
+    v.count(
+        "points_per_side", self.points_per_side, 2, 20,
+        "contact points per side of a balloon element; their distance must stay below the thickness when it stretches");
     v.quantity("penetration_limit", self.penetration_limit, "mm", 0, 10, "a step that ends deeper is rejected");
   }
 };

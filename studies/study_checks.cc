@@ -19,6 +19,8 @@ void check_kinds(const Study &study, const TomlDocument &document)
   const MethodKind kind = study.method.kind;
   if (kind != MethodKind::solve && kind != MethodKind::sample && kind != MethodKind::optimize)
     throw document.error("method.kind", "a method that is not available in this version", "solve | sample | optimize");
+  if (study.method.model != ModelKind::fem && study.actuator.kind != ActuatorKind::pebs)
+    throw document.error("method.model", "the reduced model", "fem: only actuator.kind = \"pebs\" has a reduced model");
 }
 
 void check_materials(const Study &study, const TomlDocument &document)

@@ -3,6 +3,7 @@
 #include "studies/field_reader.h"
 #include "studies/field_writer.h"
 #include "studies/quantity.h"
+#include "studies/reduced_checks.h"
 #include "studies/study_checks.h"
 #include "studies/variables.h"
 #include <algorithm>
@@ -68,8 +69,16 @@ StudyFile::StudyFile(std::string file, std::string text, std::vector<Override> o
   check_study(study_, document);
   space_ = design_space(study_, document);
   for (std::size_t i = 0; i < space_.size(); ++i)
-    for (const double value : extreme_values(space_.variable(i)))
-      read_study(parse(file_, text_, overrides_with(overrides_, {{space_.variable(i), value}})));
+    check_extremes(i, document);
+}
+
+void StudyFile::check_extremes(std::size_t i, const TomlDocument &document) const
+{
+  std::vector<Study> extremes;
+  for (const double value : extreme_values(space_.variable(i)))
+    extremes.push_back(read_study(parse(file_, text_, overrides_with(overrides_, {{space_.variable(i), value}}))));
+  if (study_.method.model != ModelKind::fem)
+    check_reduced_variable(extremes, space_.variable(i).key, document, "variable[" + std::to_string(i) + "].key");
 }
 
 Study StudyFile::with(const optimize::Design &design) const

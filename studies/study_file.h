@@ -28,6 +28,9 @@ public:
   Study with(const optimize::Design &design) const;
 
 private:
+  /// The study with one variable at its extreme values.
+  void check_extremes(std::size_t i, const TomlDocument &document) const;
+
   std::string file_, text_;
   std::vector<Override> overrides_;
   Study study_;

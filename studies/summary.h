@@ -18,9 +18,10 @@ struct Summary {
   int ranks = 1;
 };
 
-/// The text of summary.json: study, question, status, reason, best (id, design, responses, feasible), objective,
-/// counts, evaluations, replayed, how discrete variables and failures were treated, wall_seconds, version, commit,
-/// ranks.
+/// The text of summary.json: study, question, status, reason, best (id, design, responses, feasible, judgement,
+/// and where both models were asked disagreements: {"RESPONSE": {"fem", "reduced"}}), objective, counts by status,
+/// classes (counts of judged paths), evaluations, replayed, how discrete variables and failures were treated,
+/// wall_seconds, version, commit, ranks.
 std::string summary_text(const Summary &summary, const StudyFile &study, const JournalFormat &format);
 
 } // namespace ballonet::studies

@@ -3,19 +3,16 @@
 import numpy as np
 from matplotlib.patches import Patch
 
-from .data import Evaluation, History
-from .drawing import BLUE, COLOURS, FAINT, STAGE_TINTS, VERMILION, image, legend_beside, plt
-from .events import events, first_passages, stages
+from .data import Evaluation
+from .drawing import BLUE, COLOURS, EVENT_MARKS, FAINT, INK, STAGE_TINTS, VERMILION, image, legend_beside, plt
+from .events import events, jumps, stages
+from .history import History
 from .units import label
 
 PATH = ("pressure_kPa", "bending_angle_deg")
-ALONG = ("pressure_kPa", "bending_angle_deg", "rib_contact_fraction", "max_bulge_mm")
-# Columns with a figure of their own or of the bookkeeping; everything else in history.csv was named by the study.
-KNOWN = {*ALONG, "step", "time", "control", "load_factor", "volume_mm3", "volume_ratio", "twist_deg",
-         "out_of_plane_deg", "tip_x_mm", "tip_y_mm", "tip_z_mm", "tip_force_N", "head_force_N", "axial_ratio",
-         "radial_ratio", "balloon_stress_max_MPa", "backbone_stress_max_MPa", "negative_eigenvalues",
-         "newton_iterations", "dissipated_share", "kinetic_share", "cuts"}
-DEGENERATE = 1e-9  # a colour scale needs some extent
+ALONG = {"pressure_kPa": "pressure\n(kPa)", "bending_angle_deg": "bending\nangle (°)",
+         "rib_contact_fraction": "ribs touched\n(share)", "max_bulge_mm": "bulge beyond\nribs (mm)"}
+NEGLIGIBLE = 1e-5  # in the column's unit: round-off of what is not there
 
 
 class Missing(Exception):
@@ -26,63 +23,98 @@ def _need(history: History, *columns: str) -> None:
     absent = [column for column in columns if not history.has(column)]
     if absent:
         raise Missing("history.csv has no numbers in " + ", ".join(absent) + ".")
+    if len(history) < 2:
+        raise Missing("the path has one state only.")
 
 
-def pressure_angle(best: Evaluation, others: list[Evaluation]) -> str:
-    """All paths faint, the best one bold with its events."""
+def _present(history: History, columns: dict[str, str]) -> dict[str, str]:
+    """Those columns that hold numbers, of a path that is long enough for a curve."""
+    present = {column: name for column, name in columns.items() if history.has(column)}
+    _need(history, *(present or columns))
+    return present
+
+
+def pressure_angle(best: Evaluation, others: list[Evaluation], window_end: float) -> str:
+    """All paths faint, the best one bold with its events; `window_end` in kPa, NaN if there is none."""
     _need(best.history, *PATH)
-    figure, axes = plt.subplots(figsize=(6.4, 4.2))
-    drawn = 0
-    for other in others:
-        if other.id != best.id and other.history.has(*PATH):
-            axes.plot(*(other.history.numbers[c] for c in PATH), color=FAINT, lw=0.8, alpha=0.6, rasterized=True,
-                      label="" if drawn else "other evaluations")
-            drawn += 1
+    figure, axes = plt.subplots(figsize=(6.4, 4.4))
+    others = [other for other in others if other.id != best.id and other.history.has(*PATH)]
+    for i, other in enumerate(others):
+        axes.plot(*(other.history.numbers[c] for c in PATH), color=FAINT, lw=0.9, alpha=0.8, rasterized=True,
+                  label="" if i else "other evaluations")
+    ends = [[other.history.numbers[c][-1] for c in PATH] for other in others if other.failed]
+    if ends:
+        axes.plot(*zip(*ends), "x", color=FAINT, label="failed there")
     pressure, angle = (best.history.numbers[column] for column in PATH)
     axes.plot(pressure, angle, color=BLUE, lw=2.4, label=f"evaluation {best.id}")
+    for i, (start, end) in enumerate(jumps(pressure)):
+        axes.plot(pressure[[start, end]], angle[[start, end]], ":", color=VERMILION,
+                  label="" if i else "jump at slowly\nraised pressure")
     _mark_events(axes, best.history, pressure, angle)
+    if np.isfinite(window_end):
+        axes.axvline(window_end, color=INK, lw=0.8, ls="--", zorder=0, label="end of the\npressure window")
     axes.set(xlabel="cavity pressure (kPa)", ylabel="bending angle (°)")
-    axes.axhline(0, color="#77808A", lw=0.6)
+    axes.axhline(0, color="#77808A", lw=0.6, zorder=0)
     legend_beside(axes)
-    return image(figure, f"Bending angle against pressure of evaluation {best.id} and {drawn} others")
+    return image(figure, f"Bending angle against pressure of evaluation {best.id} and {len(others)} others")
 
 
 def _mark_events(axes, history: History, x: np.ndarray, y: np.ndarray) -> None:
-    markers = {"limit point": ("^", VERMILION), "stability lost": ("o", "#222222")}
     named: set[str] = set()
     for event in events(history):
-        marker, colour = markers.get(event.name, ("s", COLOURS[3]))
+        marker, colour = EVENT_MARKS.get(event.name, ("s", COLOURS[3]))
         axes.plot(x[event.index], y[event.index], marker, color=colour, mec="white", ms=8, zorder=5,
                   label="" if event.name in named else event.name)
         named.add(event.name)
 
 
 def along_path(history: History) -> str:
-    """Pressure, angle, rib contact and bulge over the control, above bands that show the stages."""
-    present = [column for column in ALONG if history.has(column)]
-    if not present:
-        raise Missing("history.csv has none of the columns " + ", ".join(ALONG) + ".")
-    x, x_label = _path_axis(history)
-    figure, rows = plt.subplots(len(present), sharex=True, figsize=(6.4, 1.5 * len(present) + 0.8), squeeze=False)
-    for axes, column in zip(rows[:, 0], present):
+    """Pressure, angle, rib contact and bulge above bands that show the stages; events on the pressure."""
+    present = _present(history, ALONG)
+    figure, rows, x = _panels(history, present)
+    for axes, column in zip(rows, present):
         _stage_bands(axes, history, x)
-        axes.plot(x, history.numbers[column], color=BLUE)
-        axes.set_ylabel(label(column).replace(" (", "\n("))
-    rows[-1, 0].set_xlabel(x_label)
+        if column == "rib_contact_fraction":
+            axes.set_ylim(-0.05, 1.05)
+    if "pressure_kPa" in present:
+        _mark_events(rows[0], history, x, history.numbers["pressure_kPa"])
     bands = list(dict.fromkeys(name for name, _, _ in stages(history)))
-    if bands:
-        legend_beside(rows[0, 0], handles=[Patch(color=_tint(name), label=name) for name in bands], title="stage")
-    figure.align_ylabels()
+    handles = [Patch(fc=_tint(name), ec="#B8BFC6", lw=0.5, label=name) for name in bands]
+    if handles or events(history):
+        legend_beside(rows[0], handles=handles + rows[0].get_legend_handles_labels()[0])
     return image(figure, "Quantities along the path" + (", stages: " + ", ".join(bands) if bands else ""))
 
 
-def _path_axis(history: History) -> tuple[np.ndarray, str]:
+def columns_along_path(history: History, columns: dict[str, str], scale: str = "linear") -> str:
+    """Any columns (name: label) over the path, one panel each."""
+    present = _present(history, columns)
+    figure, rows, _ = _panels(history, present)
+    for axes, column in zip(rows, present):
+        if np.nanmax(history.numbers[column]) > 0:  # a scale of powers of ten has no zero
+            axes.set_yscale(scale)
+    return image(figure, "Along the path: " + ", ".join(columns))
+
+
+def _panels(history: History, columns: dict[str, str]) -> tuple:
+    """One panel per column over the path: the figure, its axes and the places on the path."""
+    x, x_label = path_axis(history)
+    figure, rows = plt.subplots(len(columns), sharex=True, figsize=(6.4, 1.5 * len(columns) + 0.8), squeeze=False)
+    for axes, (column, name) in zip(rows[:, 0], columns.items()):
+        axes.plot(x, history.numbers[column], color=BLUE, marker="." if len(history) < 30 else None)
+        axes.set_ylabel(name)
+    rows[-1, 0].set_xlabel(x_label)
+    figure.align_ylabels()
+    return figure, rows[:, 0], x
+
+
+def path_axis(history: History) -> tuple[np.ndarray, str]:
+    """What grows along the path, and its label."""
     if history.has("volume_ratio"):
         ratio = history.numbers["volume_ratio"]
         if np.all(np.diff(ratio) >= 0) and ratio[-1] > ratio[0]:
-            return ratio, "cavity volume over its start value"
+            return ratio, "cavity volume over volume at rest (–)"
     for column in ("step", "control"):
-        if history.has(column):
+        if history.has(column) and np.isfinite(history.numbers[column]).all():
             return history.numbers[column], label(column)
     return np.arange(len(history)), "row of history.csv"
 
@@ -96,47 +128,13 @@ def _stage_bands(axes, history: History, x: np.ndarray) -> None:
         axes.axvspan(x[first], x[min(last + 1, len(x) - 1)], color=_tint(name), lw=0)
 
 
-def gap_map(history: History) -> str:
-    """Opening of every gap: left as a slow rise of the pressure would show it, right along the path itself."""
-    gaps = history.gaps()
-    if not gaps:
-        raise Missing("history.csv has no columns gap_01_deg, gap_02_deg, ...")
-    values = np.array([history.numbers[column] for column in gaps])
-    limit = max(np.nanmax(np.abs(values)), DEGENERATE)
-    style = {"cmap": "RdBu_r", "vmin": -limit, "vmax": limit, "aspect": "auto", "origin": "lower",
-             "interpolation": "nearest"}
-    figure, panels = plt.subplots(1, 2, figsize=(8.2, 4.0), sharey=True, layout="constrained")
-    for axes in panels:
-        axes.grid(False)
-    _gaps_over_pressure(panels[0], history, values, style)
-    drawn = panels[1].imshow(values, extent=(-0.5, values.shape[1] - 0.5, 0.5, len(gaps) + 0.5), **style)
-    panels[1].set(xlabel="step", title="along the path")
-    panels[0].set_ylabel("gap (1 = at the base)")
-    panels[0].yaxis.get_major_locator().set_params(integer=True)
-    figure.colorbar(drawn, ax=panels, label="gap opening (°)", pad=0.02)
-    return image(figure, f"Opening of {len(gaps)} gaps over pressure and over steps; largest {limit:.1f} degrees")
-
-
-def _gaps_over_pressure(axes, history: History, values: np.ndarray, style: dict) -> None:
-    axes.set(xlabel="cavity pressure (kPa)", title="raising the pressure slowly")
-    if not history.has("pressure_kPa"):
-        axes.text(0.5, 0.5, "no pressure recorded", ha="center", transform=axes.transAxes)
-        return
-    pressure = history.numbers["pressure_kPa"]
-    low, high = pressure[np.isfinite(pressure)][0], np.nanmax(pressure)
-    if high - low < DEGENERATE:
-        axes.text(0.5, 0.5, "the pressure does not rise", ha="center", transform=axes.transAxes)
-        return
-    rows = first_passages(pressure, np.linspace(low, high, 200))
-    axes.imshow(values[:, rows[rows >= 0]], extent=(low, high, 0.5, len(values) + 0.5), **style)
-
-
 def against_pressure(history: History, columns: dict[str, str], y_label: str, one_scale: bool = True) -> str:
     """Several columns (name: legend) over the pressure, in one panel or, where their scales differ, one panel each."""
-    present = {column: name for column, name in columns.items() if history.has(column)}
-    if not present:
-        raise Missing("history.csv has no numbers in " + ", ".join(columns) + ".")
     _need(history, "pressure_kPa")
+    present = {column: name for column, name in _present(history, columns).items()
+               if np.nanmax(np.abs(history.numbers[column])) > NEGLIGIBLE}
+    if not present:
+        raise Missing(f"{', '.join(columns)}: zero along the whole path.")
     panels = 1 if one_scale else len(present)
     figure, rows = plt.subplots(panels, sharex=True, figsize=(6.4, 3.4 if panels == 1 else 2.2 * panels), squeeze=False)
     for i, ((column, name), style) in enumerate(zip(present.items(), ("-", "--", ":", "-."))):
@@ -145,17 +143,5 @@ def against_pressure(history: History, columns: dict[str, str], y_label: str, on
         axes.set_ylabel(y_label)
         legend_beside(axes)
     rows[-1, 0].set_xlabel("cavity pressure (kPa)")
-    return image(figure, y_label + " against pressure: " + ", ".join(present.values()))
-
-
-def responses_along_path(history: History, columns: list[str]) -> str:
-    """Columns the user named, each over the control, in small panels."""
-    figure, rows = plt.subplots(len(columns), sharex=True, figsize=(6.4, 1.6 * len(columns) + 0.8), squeeze=False)
-    axis = "control" if history.has("control") else None
-    x, x_label = (history.numbers[axis], axis) if axis else _path_axis(history)
-    for axes, column, colour in zip(rows[:, 0], columns, COLOURS * len(columns)):
-        axes.plot(x, history.numbers[column], ".-", color=colour, ms=4)
-        axes.set_ylabel(label(column).replace(" (", "\n("))
-    rows[-1, 0].set_xlabel(x_label)
     figure.align_ylabels()
-    return image(figure, "Responses along the path: " + ", ".join(columns))
+    return image(figure, y_label + " against pressure: " + ", ".join(present.values()))

@@ -1,33 +1,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What a results directory holds, read without Ballonet. Missing or torn files give empty data, never an error."""
-import csv
 import functools
 import json
-from dataclasses import dataclass, field
+import tomllib
+from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 
+from .history import History, read_history
 from .surface import Surface, read_surface
-
-
-@dataclass
-class History:
-    """The path of one evaluation: one entry per step in every column."""
-
-    numbers: dict[str, np.ndarray] = field(default_factory=dict)
-    words: dict[str, list[str]] = field(default_factory=dict)
-
-    def has(self, *names: str) -> bool:
-        """Whether all these columns are there and hold at least one number each."""
-        return all(name in self.numbers and np.isfinite(self.numbers[name]).any() for name in names)
-
-    def __len__(self) -> int:
-        return max((len(column) for column in (*self.numbers.values(), *self.words.values())), default=0)
-
-    def gaps(self) -> list[str]:
-        """The columns gap_01_deg, gap_02_deg, ... that hold numbers, from the base upwards."""
-        return sorted(name for name in self.numbers if name.startswith("gap_") and self.has(name))
 
 
 @dataclass
@@ -43,12 +25,38 @@ class Evaluation:
 
     @property
     def ok(self) -> bool:
-        return self.entry.get("status") == "ok"
+        return self.status == "ok"
+
+    @property
+    def status(self) -> str:
+        return str(self.entry.get("status", "unknown"))
+
+    @property
+    def failed(self) -> bool:
+        """Whether it ended without its result; one that is still at work has not."""
+        return self.status not in ("ok", "unfinished")
 
     def response(self, name: str) -> float:
         """The response as a number; NaN if the evaluation has none of that name."""
-        value = self.entry.get("responses", {}).get(name)
+        value = self.responses.get(name)
         return float(value) if isinstance(value, (int, float)) else float("nan")
+
+    @property
+    def responses(self) -> dict:
+        return self.entry.get("responses") or {}
+
+    @property
+    def design(self) -> dict:
+        return self.entry.get("design") or {}
+
+    @property
+    def judgement(self) -> dict:
+        """The class of the path and the criteria behind it, if it was judged."""
+        return self.entry.get("judgement") or {}
+
+    @property
+    def units(self) -> dict:
+        return self.entry.get("units") or {}
 
     @functools.cached_property
     def history(self) -> History:
@@ -69,6 +77,49 @@ class Results:
     unreadable_lines: int
     resolved: str
 
+    @functools.cached_property
+    def settings(self) -> dict:
+        """The resolved study; empty if it cannot be read."""
+        try:
+            return tomllib.loads(self.resolved)
+        except tomllib.TOMLDecodeError:
+            return {}
+
+    def quantity(self, table: str, key: str) -> float:
+        """The number of `"0.3 mm"` in a table of the resolved study; NaN if it is not set."""
+        try:
+            return float(str(self.settings[table][key]).split()[0])
+        except (KeyError, TypeError, ValueError, IndexError):
+            return float("nan")
+
+    @property
+    def objective(self) -> dict:
+        return self.summary.get("objective") or self.settings.get("objective") or {}
+
+    @property
+    def reduced(self) -> bool:
+        """Whether the reduced model computed the designs, and nothing else."""
+        return (self.settings.get("method") or {}).get("model") == "reduced"
+
+    @property
+    def constraints(self) -> list[dict]:
+        return self.settings.get("constraint", [])
+
+    def own_responses(self) -> list[str]:
+        """Names of the responses the study itself defines."""
+        return [response["name"] for response in self.settings.get("response", []) if "name" in response]
+
+    @property
+    def running(self) -> bool:
+        """Whether the run has not come to its end: at work, or killed."""
+        return self.summary.get("status", "running") == "running"
+
+    def admissible(self, evaluation: Evaluation) -> bool:
+        """Whether it worked and keeps all constraints of the study."""
+        return evaluation.ok and all(
+            limit.get("min", -np.inf) <= evaluation.response(limit.get("response")) <= limit.get("max", np.inf)
+            for limit in self.constraints)
+
     @property
     def named_best(self) -> int | None:
         """The evaluation the summary calls the best; None if it names none."""
@@ -76,28 +127,22 @@ class Results:
 
     @functools.cached_property
     def best(self) -> Evaluation | None:
-        """The best evaluation; where the summary names none, the last one that worked, else the last one at all."""
-        named = [e for e in self.evaluations if e.id == self.named_best]
-        working = [e for e in self.evaluations if e.ok]
-        candidates = named or working or self.evaluations
-        return candidates[-1] if candidates else None
+        """The one shown: the named best, else the best so far, else the last that worked, else the longest path."""
+        for candidates in ([e for e in self.evaluations if e.id == self.named_best], self._best_so_far(),
+                           [e for e in self.evaluations if e.ok]):
+            if candidates:
+                return candidates[-1]
+        return max(self.evaluations, key=lambda e: len(e.history), default=None)
 
+    def _best_so_far(self) -> list[Evaluation]:
+        name = self.objective.get("response")
+        worked = [e for e in self.evaluations if self.admissible(e) and np.isfinite(e.response(name))]
+        return sorted(worked, key=lambda e: self.goal_sign * e.response(name))
 
-def read_history(path: Path) -> History:
-    """Reads history.csv; a row cut short by a crash is left out."""
-    try:
-        with open(path, newline="", encoding="utf-8") as file:
-            header, *rows = list(csv.reader(file)) or [[]]
-    except OSError:
-        return History()
-    rows = [row for row in rows if len(row) == len(header)]
-    history = History()
-    for name, column in zip((name.strip() for name in header), zip(*rows)):
-        try:
-            history.numbers[name] = np.array([float(value) if value.strip() else np.nan for value in column])
-        except ValueError:
-            history.words[name] = [value.strip() for value in column]
-    return history
+    @property
+    def goal_sign(self) -> int:
+        """+1 if larger is better, -1 if smaller is better."""
+        return 1 if str(self.objective.get("goal", "")).startswith("max") else -1
 
 
 def read_journal(path: Path) -> tuple[dict[int, dict], int]:
@@ -122,11 +167,15 @@ def read_results(folder: Path) -> Results:
         if found.name.isdigit():
             entries.setdefault(int(found.name), {"id": int(found.name), "status": "unfinished"})
     evaluations = [Evaluation(entries[i], folder / "evaluations" / f"{i:04d}") for i in sorted(entries)]
+    return Results(folder, _summary(folder / "summary.json"), evaluations, unreadable, _text(folder / "resolved.toml"))
+
+
+def _summary(path: Path) -> dict:
     try:
-        summary = json.loads(_text(folder / "summary.json") or "{}")
+        summary = json.loads(_text(path))
     except ValueError:
-        summary = {}
-    return Results(folder, summary, evaluations, unreadable, _text(folder / "resolved.toml"))
+        return {}
+    return summary if isinstance(summary, dict) else {}
 
 
 def _text(path: Path) -> str:

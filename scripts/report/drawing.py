@@ -14,8 +14,9 @@ BLUE, ORANGE, GREEN, VERMILION, PURPLE, SKY, BLACK = (
     "#0072B2", "#E69F00", "#009E73", "#D55E00", "#CC79A7", "#56B4E9", "#222222")
 COLOURS = (BLUE, VERMILION, GREEN, ORANGE, PURPLE, SKY, BLACK)
 FAINT = "#9AA5B1"
-STAGE_TINTS = {"separation": "#E8EEF4", "insufficient": "#FBE9C6", "sufficient": "#D3ECDF", "local bending": "#D3ECDF",
-               "global bending": "#BFDDF0", "excessive": "#F6D5C3"}
+INK = "#3A444E"
+STAGE_TINTS = {"separation": "#F2F4F6", "insufficient": "#FBE9C6", "sufficient": "#BFDDF0", "excessive": "#E9B79C"}
+EVENT_MARKS = {"limit point": ("^", VERMILION), "stability lost": ("o", BLACK)}
 
 plt.rcParams.update({
     "font.size": 10, "axes.spines.top": False, "axes.spines.right": False, "axes.grid": True, "grid.color": "#E3E6EA",
@@ -35,6 +36,9 @@ def image(figure, description: str, kind: str = "svg") -> str:
     buffer = io.BytesIO()
     figure.savefig(buffer, format=kind, bbox_inches="tight", metadata={"Date": None} if kind == "svg" else None)
     plt.close(figure)
-    data = base64.b64encode(buffer.getvalue()).decode()
+    data = buffer.getvalue()
     mime = {"svg": "svg+xml", "png": "png"}[kind]
-    return f'<img alt="{html.escape(description)}" src="data:image/{mime};base64,{data}">'
+    pixels = int.from_bytes(data[16:20], "big")  # of a PNG; shown so that letters are as large as in an SVG
+    width = f' width="{pixels * 96 // 144}"' if kind == "png" else ""
+    code = base64.b64encode(data).decode()
+    return f'<img alt="{html.escape(description)}"{width} src="data:image/{mime};base64,{code}">'

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .data import History
+from .history import History
 
 SMALLEST_DROP = 0.02  # of the largest pressure: smaller dips are no limit points but noise of the steps
 
@@ -23,14 +23,15 @@ def limit_points(pressure: np.ndarray, smallest_drop: float = SMALLEST_DROP) -> 
     if not np.isfinite(pressure).any():
         return found
     tolerance = smallest_drop * np.nanmax(np.abs(pressure))
-    extreme, rising = 0, True
-    for i, value in enumerate(pressure):
-        sign = 1 if rising else -1
+    rows = np.flatnonzero(np.isfinite(pressure))
+    extreme, rising = rows[0], True
+    for i in rows:
+        value, sign = pressure[i], 1 if rising else -1
         if sign * (value - pressure[extreme]) >= 0:
             extreme = i
         elif abs(value - pressure[extreme]) > tolerance:
             if rising:
-                found.append(extreme)
+                found.append(int(extreme))
             extreme, rising = i, not rising
     return found
 
@@ -55,11 +56,14 @@ def stages(history: History) -> list[tuple[str, int, int]]:
     return [run for run in runs if run[0]]
 
 
-def first_passages(pressure: np.ndarray, levels: np.ndarray) -> np.ndarray:
-    """For each level the first row whose running maximum of the pressure reaches it: what a slow rise would show.
+def jumps(pressure: np.ndarray) -> list[tuple[int, int]]:
+    """From and to which row a slowly raised pressure jumps: from a limit point to the next state of that pressure.
 
-    Levels that are never reached give -1.
+    Only limit points above all pressures before them are met that way; after the last one there may be no such state.
     """
-    highest = np.maximum.accumulate(np.nan_to_num(pressure, nan=-np.inf))
-    rows = np.searchsorted(highest, levels, side="left")
-    return np.where(rows < len(pressure), rows, -1)
+    found = []
+    for start in limit_points(pressure):
+        later = np.flatnonzero(pressure[start + 1:] >= pressure[start])
+        if len(later) and pressure[start] >= np.nanmax(pressure[:start + 1]):
+            found.append((start, start + 1 + int(later[0])))
+    return found

@@ -4,7 +4,8 @@ import html
 from collections.abc import Callable
 from pathlib import Path
 
-from . import sections
+from . import models, sections
+from .answer import headline, study_name
 from .curves import Missing
 from .data import Results
 
@@ -20,16 +21,18 @@ SECTIONS: list[tuple[str, str, Callable[[Results], str]]] = [
     ("expansion", "Expansion of the balloon", sections.expansion),
     ("stress", "Largest stresses", sections.stress),
     ("force", "Forces", sections.force),
-    ("loop", "The design loop", sections.convergence),
-    ("evaluations", "All evaluations", sections.evaluation_table),
+    ("judgement", "How the path is judged", sections.judgement),
+    ("models", "The two models", models.models),
+    ("loop", "The design loop", sections.progress),
     ("numerics", "How the path was computed", sections.numerics),
     ("reproduce", "How to repeat this", sections.reproduce),
+    ("all", "All responses", sections.all_responses),
 ]
 
 
 def page(results: Results) -> str:
     """The whole report as one HTML text that needs no other file."""
-    title = html.escape(results.summary.get("study") or results.folder.name)
+    title = html.escape(study_name(results))
     contents, missing = _contents(results)
     links = "".join(f'<a href="#{anchor}">{name}</a>' for anchor, name in contents)
     body = "\n".join([*contents.values(), _not_shown(missing)])
@@ -37,7 +40,7 @@ def page(results: Results) -> str:
         f'<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n'
         f'<meta name="viewport" content="width=device-width, initial-scale=1">\n<title>{title} – Ballonet</title>\n'
         f"<style>\n{(HERE / 'style.css').read_text()}</style>\n</head>\n<body>\n"
-        f"<header>{sections.headline(results)}</header>\n<nav>{links}</nav>\n<main>{body}</main>\n"
+        f"<header>{headline(results)}</header>\n<nav>{links}</nav>\n<main>{body}</main>\n"
         f"{_viewer_script(body)}</body>\n</html>\n"
     )
 
@@ -56,7 +59,10 @@ def _contents(results: Results) -> tuple[dict[tuple[str, str], str], dict[str, s
 def _not_shown(missing: dict[str, str]) -> str:
     if not missing:
         return ""
-    items = "".join(f"<li>{title}: {html.escape(reason)}</li>" for title, reason in missing.items())
+    titles: dict[str, list[str]] = {}
+    for title, reason in missing.items():
+        titles.setdefault(reason, []).append(title)
+    items = "".join(f"<li>{', '.join(names)}: {html.escape(reason)}</li>" for reason, names in titles.items())
     return f'<section id="missing"><h2>Not in these results</h2><ul class="missing">{items}</ul></section>'
 
 

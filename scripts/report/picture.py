@@ -3,13 +3,15 @@
 import numpy as np
 from matplotlib.collections import PolyCollection
 
-from .drawing import image, plt
+from .drawing import INK, image, plt
 from .surface import ShapeState, Surface
 
 AZIMUTH, ELEVATION = np.radians(-65), np.radians(14)  # the side on which the bending shows
 LIGHT = np.array([0.35, -0.75, 0.56])
 PANELS = 4
 LIMITS = np.array([-0.03, 1.0])  # of a panel, in shares of its size
+HEIGHT, MOST_WIDE, NARROWEST = 3.4, 10.0, 1.5  # of a panel, of all panels together, of a panel; inches
+TITLE, SCALES = 0.3, 1.0  # above and below the panels, inches
 
 
 def camera() -> np.ndarray:
@@ -54,23 +56,49 @@ def chosen_states(surface: Surface, count: int = PANELS) -> list[ShapeState]:
 
 
 def pictures(surface: Surface) -> str:
-    """A row of shapes in one scale."""
+    """A row of shapes in one scale, with a bar of length and the scale of stress of each body below."""
     states = chosen_states(surface)
     ranges = stress_ranges(surface)
     views = [corners(surface, state) @ camera().T for state in states]
     low = np.min([view[..., :2].min(axis=(0, 1)) for view in views], axis=0)
-    high = np.max([view[..., :2].max(axis=(0, 1)) for view in views], axis=0)
-    width, height = np.maximum(high - low, 1e-6) * 1.06
-    panel = min(3.2, 3.4 * width / height)
-    size = (panel * len(states), panel * height / width + 0.4)
-    figure, row = plt.subplots(1, len(states), figsize=size, squeeze=False)
-    for axes, state, view in zip(row[0], states, views):
+    width, height = np.maximum(np.max([view[..., :2].max(axis=(0, 1)) for view in views], axis=0) - low, 1e-6) * 1.06
+    tall = min(HEIGHT, max(MOST_WIDE / len(states), NARROWEST) * height / width)
+    panel = max(tall * width / height, NARROWEST)
+    total = tall + TITLE + SCALES
+    figure = plt.figure(figsize=(panel * len(states), total))
+    for i, (state, view) in enumerate(zip(states, views)):
+        axes = figure.add_axes([i / len(states), SCALES / total, 1 / len(states), tall / total])
         _draw(axes, view, face_colours(surface, state, ranges))
         axes.set(xlim=low[0] + width * LIMITS, ylim=low[1] + height * LIMITS, aspect="equal")
-        axes.set_title(state.title(), fontsize=13)
+        axes.set_title(state.title(), fontsize=10)
         axes.axis("off")
-    figure.subplots_adjust(wspace=0.02, left=0, right=1, bottom=0, top=0.9)
+    _length_bar(figure.axes[0], low, max(width, height / 4))
+    if any(state.stress is not None for state in states):
+        _stress_scales(figure, {surface.body_name(body): end for body, end in ranges.items()}, total)
     return image(figure, "Shapes of the actuator: " + "; ".join(state.title() for state in states), "png")
+
+
+def _length_bar(axes, low: np.ndarray, size: float) -> None:
+    """A bar of a round length under the shape: 1, 2 or 5 times a power of ten, about a third of the size."""
+    third = size / 3
+    power = 10.0 ** np.floor(np.log10(third))
+    length = power * max(factor for factor in (1, 2, 5) if factor * power <= third)
+    place = low[1] - 0.06 * size
+    axes.plot([low[0], low[0] + length], [place, place], color=INK, lw=2, clip_on=False)
+    axes.annotate(f"{length:g} mm", (low[0] + length / 2, place), xytext=(0, -3), textcoords="offset points",
+                  ha="center", va="top", fontsize=9, annotation_clip=False)
+
+
+def _stress_scales(figure, ends: dict[str, float], total: float) -> None:
+    """One colour bar per body side by side; `ends` in MPa."""
+    share = min(1 / len(ends), 2.4 / figure.get_figwidth())
+    for i, (body, end) in enumerate(ends.items()):
+        axes = figure.add_axes([(i + 0.08) * share, 0.42 / total, 0.84 * share, 0.12 / total])
+        scale = plt.cm.ScalarMappable(plt.Normalize(0, max(end, 1e-12)), "viridis")
+        bar = figure.colorbar(scale, cax=axes, orientation="horizontal", extend="max")
+        bar.locator = plt.MaxNLocator(3)
+        bar.set_label(f"stress, {body} (MPa)", fontsize=9)
+        bar.ax.tick_params(labelsize=9)
 
 
 def _draw(axes, view: np.ndarray, colours: np.ndarray) -> None:

@@ -4,20 +4,16 @@ import html
 
 import numpy as np
 
-from . import curves, loop, picture, viewer
+from . import curves, gaps, loop, picture, viewer
+from .answer import failure, reached
 from .curves import Missing
-from .data import Evaluation, History, Results
-from .surface import Surface
-from .tables import design_table, evaluations_table, fact_table, response_table
-from .units import number
+from .data import Evaluation, Results
+from .history import History
+from .tables import criteria_table, evaluations_table, responses_table, shown_responses, table
+from .units import duration, label, number, quantity
 
-STATUS_WORDS = {
-    "done": "Finished", "ok": "Evaluated", "mesh_failed": "No valid mesh could be made",
-    "diverged": "The path stopped: no equilibrium was found at the smallest step",
-    "inverted": "The path stopped: an element turned inside out",
-    "step_limit": "The path stopped at its largest number of steps", "time_limit": "Stopped at the time limit",
-    "failed": "Failed", "unfinished": "Not finished", "interrupted": "Interrupted",
-}
+SHARES = {"dissipated_share": "viscous share\n(–)", "kinetic_share": "kinetic share\n(–)"}
+
 VIEWER = """
 <div id="viewer">
 <canvas id="view" tabindex="0" aria-label="Orbit view of the deformed actuator"></canvas>
@@ -46,52 +42,21 @@ def _history(results: Results) -> History:
     return best.history
 
 
-def headline(results: Results) -> str:
-    summary = results.summary
-    name = html.escape(summary.get("study") or results.folder.name)
-    question = html.escape(summary.get("question") or "")
-    parts = [f"<h1>{name}</h1>", f'<p class="question">{question}</p>' if question else "", _status(results)]
-    best = results.best
-    if best is None:
-        return "".join(parts)
-    design, responses = design_table(best), response_table(best)
-    title = "best design" if results.named_best == best.id and best.entry.get("design") else "shown here"
-    parts.append(f'<p>Evaluation {best.id} ({title}):</p><div class="columns">{design}{responses}</div>')
-    return "".join(parts)
-
-
-def _status(results: Results) -> str:
-    summary = results.summary
-    if not summary:
-        return '<p class="status">Not finished: there is no readable summary.json.</p>'
-    status = summary.get("status", "")
-    words = STATUS_WORDS.get(status, status)
-    reason = f" – {summary['reason']}" if summary.get("reason") else ""
-    endings = (summary.get("counts") or {}).items()
-    counts = ", ".join(f"{count} {name.replace('_', ' ')}" for name, count in endings if count)
-    facts = f" Evaluations: {counts}." if counts else ""
-    return f'<p><span class="status">{html.escape(words + reason)}.</span>{html.escape(facts)}</p>'
-
-
 def shapes(results: Results) -> str:
     best = _best(results)
     surface = best.surface
     if surface is None:
         raise Missing(f"evaluation {best.id} has no readable history.h5 with recorded shapes.")
     data = f'<script type="application/json" id="shapes">{viewer.packed(surface)}</script>'
-    return f'{picture.pictures(surface)}<p class="note">{html.escape(_colour_caption(surface))}</p>{VIEWER}{data}'
-
-
-def _colour_caption(surface: Surface) -> str:
-    if not any(state.stress is not None for state in surface.states):
-        return "Colour: body."
-    names = viewer.body_names(surface)
-    ends = ", ".join(f"{names[body]} {end:.3g} MPa" for body, end in picture.stress_ranges(surface).items())
-    return f"Colour: stress, each body on its own scale from 0 (dark) to {ends} and above (bright)."
+    coloured = any(state.stress is not None for state in surface.states)
+    note = "stress, each body on its own scale; above its end, the brightest colour" if coloured else "body"
+    return f'{picture.pictures(surface)}<p class="note">All shapes to one scale. Colour: {note}.</p>{VIEWER}{data}'
 
 
 def pressure_angle(results: Results) -> str:
-    return curves.pressure_angle(_best(results), results.evaluations)
+    _history(results)
+    window_end = 1e3 * results.quantity("judge", "window_max")
+    return curves.pressure_angle(_best(results), results.evaluations, window_end)
 
 
 def along_path(results: Results) -> str:
@@ -99,18 +64,17 @@ def along_path(results: Results) -> str:
 
 
 def responses(results: Results) -> str:
-    history = _history(results)
-    known = curves.KNOWN.union(history.gaps())
-    own = [name for name in history.numbers if name not in known and history.has(name)]
+    own = results.own_responses()
     if not own:
         raise Missing("the study names no responses of its own.")
-    return curves.responses_along_path(history, own)
+    return curves.columns_along_path(_history(results), {name: label(name).replace(" (", "\n(") for name in own})
 
 
 def gap_map(results: Results) -> str:
-    note = ("Red gaps open, blue ones close. The left panel jumps where a slowly raised pressure would make the "
-            "actuator jump; the right one follows the computed path, on which the pressure may fall.")
-    return curves.gap_map(_history(results)) + f'<p class="note">{note}</p>'
+    history = _history(results)
+    note = ("Red gaps open, blue ones close. Where the pressure falls on the way, the picture goes along the path "
+            "instead and the pressure stands above it.")
+    return gaps.gap_map(history) + (f'<p class="note">{note}</p>' if len(history) > 1 else "")
 
 
 def expansion(results: Results) -> str:
@@ -128,34 +92,53 @@ def force(results: Results) -> str:
     return curves.against_pressure(_history(results), columns, "force (N)")
 
 
-def convergence(results: Results) -> str:
-    figure = loop.convergence(results.evaluations, results.summary.get("objective") or {})
-    reasons = [f"<li>{e.id}: {html.escape(_failure(e))}</li>" for e in results.evaluations if not e.ok]
-    return figure + (f"<p>Failed evaluations:</p><ul>{''.join(reasons)}</ul>" if reasons else "")
-
-
-def _failure(evaluation: Evaluation) -> str:
-    status = evaluation.entry.get("status", "unknown")
-    return f"{status}: {evaluation.entry.get('reason') or STATUS_WORDS.get(status, 'no reason given')}"
-
-
-def evaluation_table(results: Results) -> str:
+def progress(results: Results) -> str:
+    """The loop: figures where there is a number to draw, and always every failure with its reason."""
     _best(results)
-    unreadable = results.unreadable_lines
-    note = f'<p class="note">Unreadable lines in the journal: {unreadable}.</p>' if unreadable else ""
-    return evaluations_table(results) + note
+    if len(results.evaluations) < 2:
+        raise Missing("there is one evaluation only.")
+    name = results.objective.get("response") or next(iter(shown_responses(results)), None)
+    try:
+        figures = loop.convergence(results, name) + loop.over_variables(results, name)
+    except Missing as reason:
+        figures = f'<p class="missing">No figure: {html.escape(str(reason))}</p>'
+    return f"{figures}{_failures(results)}<h3>All evaluations</h3>{evaluations_table(results)}"
+
+
+def _failures(results: Results) -> str:
+    ended = [e for e in results.evaluations if not e.ok]
+    if not ended:
+        return "<p>No evaluation failed.</p>"
+    rows = [[e.id, ", ".join(f"{key.split('.', 1)[-1]} {quantity(value, e.units.get(key, ''))}"
+                             for key, value in e.design.items()), reached(e), failure(e)] for e in ended]
+    kinds = {i: "failed" for i, e in enumerate(ended) if e.failed}
+    return "<h3>Failed or not finished</h3>" + table(["number", "design", "path", "reason"], rows, kinds)
+
+
+def judgement(results: Results) -> str:
+    best = _best(results)
+    if not best.judgement.get("criteria"):
+        raise Missing("the path was not judged.")
+    note = "Margin: distance to the limit as a share of it, negative beyond. Else: what the path is if it is not met."
+    return f'{criteria_table(best)}<p class="note">{note}</p>'
 
 
 def numerics(results: Results) -> str:
-    history = _history(results)
-    facts = {"steps": str(len(history)), "cut steps": _total(history, "cuts"),
-             "Newton iterations": _total(history, "newton_iterations")}
-    for column, name in (("dissipated_share", "largest dissipated share"), ("kinetic_share", "largest kinetic share")):
-        facts[name] = f"{np.nanmax(history.numbers[column]):.2%}" if history.has(column) else "not recorded"
-    facts["mesh"] = _best(results).entry.get("mesh_hash") or "not recorded"
-    note = ("Dissipated share: viscous work of a step over all energy moved in it. Kinetic share: kinetic over "
+    best, history = _best(results), _history(results)
+    if results.reduced:
+        return table([], [("model", "reduced: a tube in a chain of rigid units"), ("states", str(len(history))),
+                          ("computing time", duration(best.entry.get("seconds")))])
+    facts = [("steps", str(len(history))), ("cut steps", _total(history, "cuts")),
+             ("Newton iterations", _total(history, "newton_iterations")),
+             ("computing time", duration(best.entry.get("seconds"))),
+             ("mesh", best.entry.get("mesh_hash") or "not recorded")]
+    note = ("Viscous share: viscous work of a step over all energy moved in it. Kinetic share: kinetic over "
             "stored energy. Small shares mean that the path is close to equilibrium.")
-    return f'{fact_table(facts)}<p class="note">{note}</p>'
+    try:
+        figure = curves.columns_along_path(history, SHARES, "log")
+    except Missing:
+        figure = ""
+    return f'{table([], facts)}{figure}<p class="note">{note}</p>'
 
 
 def _total(history: History, column: str) -> str:
@@ -164,13 +147,25 @@ def _total(history: History, column: str) -> str:
 
 def reproduce(results: Results) -> str:
     summary = results.summary
-    facts = {"version": summary.get("version"), "commit": summary.get("commit"), "ranks": summary.get("ranks"),
-             "wall time": f"{number(summary['wall_seconds'])} s" if "wall_seconds" in summary else None,
-             "evaluations": summary.get("evaluations"), "of these taken from the journal": summary.get("replayed")}
-    table = fact_table({name: "not recorded" if value in (None, "") else str(value) for name, value in facts.items()})
+    seconds = [e.entry.get("seconds") for e in results.evaluations]
+    facts = {"version": summary.get("version"), "ranks": summary.get("ranks"),
+             "wall time": None if results.running else duration(summary.get("wall_seconds")),
+             "computing time of all evaluations": duration(sum(s for s in seconds if isinstance(s, (int, float)))),
+             "taken from the journal": None if results.running else summary.get("replayed")}
+    rows = [(name, "not recorded" if value in (None, "") else str(value)) for name, value in facts.items()]
     if not results.resolved:
-        return table + '<p class="missing">resolved.toml is missing, so there is no study file to run again.</p>'
+        return table([], rows) + '<p class="missing">resolved.toml is missing: there is no study file to run again.</p>'
+    commit = summary.get("commit")
     command = f"scripts/run {results.folder}/resolved.toml -o results/again"
-    return (f"{table}<p>With the resolved study of this directory, every default written out:</p>"
+    command = f"git checkout {commit}\n{command}" if commit else command
+    return (f"{table([], rows)}<p>With the resolved study of this directory, every default written out:</p>"
             f"<pre>{html.escape(command)}</pre>"
             f"<details><summary>resolved.toml</summary><pre>{html.escape(results.resolved)}</pre></details>")
+
+
+def all_responses(results: Results) -> str:
+    best = _best(results)
+    if not best.responses:
+        raise Missing(f"evaluation {best.id} has no responses.")
+    title = f"All {len(best.responses)} numbers of evaluation {best.id}"
+    return f"<details><summary>{title}</summary>{responses_table(best)}</details>"

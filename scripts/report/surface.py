@@ -18,11 +18,9 @@ class ShapeState:
 
     def title(self) -> str:
         """What identifies the state to a reader, for example `35.9 kPa, 42°`."""
-        parts = []
-        if "pressure_kPa" in self.facts:
-            parts.append(f"{_rounded(self.facts['pressure_kPa'], 1)} kPa")
-        if "bending_angle_deg" in self.facts:
-            parts.append(f"{_rounded(self.facts['bending_angle_deg'], 0)}°")
+        digits = {"pressure_kPa": (1, " kPa"), "bending_angle_deg": (0, "°")}
+        parts = [f"{_rounded(self.facts[name], places)}{unit}" for name, (places, unit) in digits.items()
+                 if np.isfinite(self.facts.get(name, np.nan))]
         return ", ".join(parts) or f"step {self.facts.get('step', 0):.0f}"
 
 
@@ -41,6 +39,9 @@ class Surface:
     states: list[ShapeState] = field(default_factory=list)
     symmetric: bool = False  # half model, to be mirrored in y
 
+    def body_name(self, body: int) -> str:
+        return self.bodies[body] if body < len(self.bodies) else f"body {body}"
+
 
 def read_surface(path: Path) -> Surface | None:
     """Reads the recorded shapes; None if the file is missing, unreadable or holds none."""
@@ -56,14 +57,15 @@ def _surface(file: h5py.File) -> Surface | None:
     faces = group["faces"][()].astype(int)
     bodies = group["face_body"][()].astype(int) if "face_body" in group else np.zeros(len(faces), int)
     states = [_state(file["states"][name]) for name in sorted(file["states"])]
-    if not states or not len(faces):
+    states = [state for state in states if np.isfinite(state.points).all()]
+    if not states or not len(faces) or faces.max() >= min(len(state.points) for state in states):
         return None
     symmetric = any(state.facts.get("symmetry", 0) == 1 for state in states)
     return Surface(cyclic(faces, states[0].points), bodies, _names(group.attrs.get("bodies", "")), states, symmetric)
 
 
 def _state(group: h5py.Group) -> ShapeState:
-    stress = group["stress"][()].ravel() if "stress" in group else None
+    stress = np.nan_to_num(group["stress"][()].ravel()) if "stress" in group else None
     facts = {name: float(np.ravel(value)[0]) for name, value in group.attrs.items()
              if np.issubdtype(np.asarray(value).dtype, np.number)}
     return ShapeState(group["points"][()].reshape(-1, 3), stress, facts)

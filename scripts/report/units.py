@@ -17,13 +17,35 @@ def label(column: str) -> str:
     return words.replace("_", " ") + (f" ({unit})" if unit else "")
 
 
+def bare(column: str) -> str:
+    """The label without the unit."""
+    return _split(column)[0].replace("_", " ")
+
+
+def quantity(value, unit: str = "") -> str:
+    """`38.9 kPa`, `74.1°`, a dash without a unit where there is no number."""
+    text = number(value)
+    return text + ("" if text == "–" or not unit else unit if unit == "°" else f" {unit}")
+
+
+def duration(seconds) -> str:
+    """`4.8 s`, `3 min 37 s`, `2 h 5 min`."""
+    if not isinstance(seconds, (int, float)) or not math.isfinite(seconds):
+        return "–"
+    if seconds < 60:
+        return f"{seconds:.2g} s"
+    minutes, rest = divmod(round(seconds), 60)
+    return f"{minutes} min {rest} s" if minutes < 60 else f"{minutes // 60} h {minutes % 60} min"
+
+
 def _split(column: str) -> tuple[str, str]:
     """The name without its unit, and the unit."""
     stem, _, extreme = re.fullmatch(r"(.*?)(_(max|min))?", column).groups()
     words, _, ending = stem.rpartition("_")
     if not words or ending not in UNITS:
         return column, ""
-    return f"{words} {extreme}" if extreme else words, UNITS[ending]
+    already = words.endswith(f"_{extreme}")  # the largest of the largest
+    return f"{words} {extreme}" if extreme and not already else words, UNITS[ending]
 
 
 def number(value) -> str:

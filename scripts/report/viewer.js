@@ -63,6 +63,7 @@
 
   slider.max = shapes.states.length - 1;
   slider.value = slider.max;
+  if (shapes.states.length < 2) slider.hidden = element("play").hidden = true;
   if (!shapes.symmetric) whole.parentElement.hidden = true;
   if (!shapes.states.some(({ stress }) => stress)) colouring.querySelector("[value=stress]").remove();
   const ramp = [0, 64, 128, 192, 255].map((i) => `rgb(${shapes.colours.subarray(3 * i, 3 * i + 3).join()})`);

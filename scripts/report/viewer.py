@@ -24,7 +24,8 @@ def packed(surface: Surface) -> str:
     largest = max([1e-12, *(float(np.nanmax(s.stress[nodes])) for s in states if s.stress is not None)])
     return json.dumps({
         "faces": _base64(faces.astype("<u4")), "faceBody": _base64(surface.face_body.astype("u1")),
-        "bodies": body_names(surface), "stressRanges": {body: round(value, 6) for body, value in ranges.items()},
+        "bodies": {int(body): surface.body_name(body) for body in np.unique(surface.face_body)},
+        "stressRanges": {body: round(value, 6) for body, value in ranges.items()},
         "low": [float(value) for value in low], "extent": extent, "largestStress": largest,
         "symmetric": surface.symmetric, "colours": _base64(_colours()),
         "states": [_state(state, p, low, extent, largest, nodes) for state, p in zip(states, points)],
@@ -40,11 +41,6 @@ def _state(state, points: np.ndarray, low: np.ndarray, extent: float, largest: f
 def _thinned(states: list, bytes_each: int) -> list:
     count = max(2, min(len(states), MAX_BYTES // max(bytes_each, 1)))
     return [states[i] for i in sorted(set(np.linspace(0, len(states) - 1, count).round().astype(int)))]
-
-
-def body_names(surface: Surface) -> dict[int, str]:
-    return {int(body): surface.bodies[body] if body < len(surface.bodies) else f"body {body}"
-            for body in np.unique(surface.face_body)}
 
 
 def _levels(shares: np.ndarray) -> np.ndarray:

@@ -48,8 +48,7 @@ function makeScene(canvas, shapes) {
 
   const middle = [0, 1, 2].map((k) => (shapes.low[k] + shapes.high[k]) / 2);
   const radius = Math.hypot(...[0, 1, 2].map((k) => shapes.high[k] - shapes.low[k])) / 2 || 1;
-  const start = { azimuth: -65, elevation: 14, zoom: 1.3 };
-  const camera = { ...start };
+  const camera = {};
   let corners = 0;
 
   function axes() {
@@ -58,6 +57,15 @@ function makeScene(canvas, shapes) {
     const up = [-Math.sin(e) * Math.cos(a), -Math.sin(e) * Math.sin(a), Math.cos(e)];
     const towards = [Math.cos(e) * Math.cos(a), Math.cos(e) * Math.sin(a), Math.sin(e)];
     return { right, up, towards };
+  }
+
+  // Looks at the side on which the bending shows, as near as all states fit into the canvas.
+  function reset() {
+    Object.assign(camera, { azimuth: -65, elevation: 14 });
+    const { right, up } = axes();
+    const half = (axis) => axis.reduce((sum, v, k) => sum + Math.abs(v) * (shapes.high[k] - middle[k]), 0);
+    const wide = canvas.clientWidth / canvas.clientHeight || 1;
+    camera.zoom = (0.95 * radius) / Math.max(half(right) / Math.max(wide, 1), half(up) * Math.min(wide, 1), 1e-9);
   }
 
   function viewMatrix({ right, up, towards }) {
@@ -88,5 +96,6 @@ function makeScene(canvas, shapes) {
     corners = vertices.length / 4;
     gl.bufferData(gl.ARRAY_BUFFER, vertices, gl.DYNAMIC_DRAW);
   }
-  return { camera, draw, load, reset: () => Object.assign(camera, start) };
+  reset();
+  return { camera, draw, load, reset };
 }

@@ -6,6 +6,7 @@ Run with: /usr/bin/python3 -m unittest discover -s tests/report
 import base64
 import json
 import re
+import shutil
 import sys
 import tempfile
 import unittest
@@ -19,8 +20,10 @@ HERE = Path(__file__).resolve().parent
 sys.dont_write_bytecode = True
 sys.path[:0] = [str(HERE), str(HERE.parents[1] / "scripts")]
 
-from report import events, loop, picture, surface, units, viewer  # noqa: E402  (after the search path)
-from report.data import read_history, read_results  # noqa: E402
+from report import events, loop, models, picture, surface, units, viewer  # noqa: E402  (after the search path)
+from report.answer import headline  # noqa: E402
+from report.data import read_results  # noqa: E402
+from report.history import read_history  # noqa: E402
 from report.page import page  # noqa: E402
 from synthetic_results import STEPS, grid_faces, write_results  # noqa: E402
 
@@ -69,9 +72,17 @@ class WholePage(unittest.TestCase):
 
     def test_shows_every_section_that_has_data(self):
         text = self.page()
-        for anchor in ("shape", "curve", "path", "gaps", "expansion", "stress", "force", "loop", "evaluations"):
+        for anchor in ("shape", "curve", "path", "gaps", "expansion", "stress", "force", "loop", "all"):
             self.assertIn(f'<section id="{anchor}">', text)
-        self.assertEqual(text.count("<img "), 8)
+        self.assertEqual(text.count("<img "), 10)
+
+    def test_the_answer_comes_first_and_the_full_table_last(self):
+        text = self.page()
+        self.assertIn("Best: evaluation 5 with angle 40kPa 200, the largest found.", text)
+        self.assertIn("<td>limit pressure 1</td><td>36.98 kPa</td>", text)
+        places = [text.index(words) for words in ("Best: evaluation", "<nav>", 'id="shape"', 'id="loop"',
+                                                  'id="reproduce"', "<summary>All 2 numbers")]
+        self.assertEqual(places, sorted(places))
 
     def test_needs_no_other_file(self):
         text = self.page()
@@ -124,7 +135,8 @@ class MissingData(WithResults):
         path.write_text("step,control,r_rib\n0,0,0\n1,0.5,2\n2,1,3\n")
         text = self.page()
         self.assertIn("no numbers in pressure_kPa, bending_angle_deg", text)
-        self.assertIn('<section id="responses">', text)
+        (self.folder / "resolved.toml").write_text('[[response]]\nname = "r_rib"\n')
+        self.assertIn('<section id="responses">', self.page())
 
     def test_torn_files_are_read_as_far_as_they_go(self):
         with open(self.folder / "journal.jsonl", "a") as file:
@@ -143,8 +155,70 @@ class MissingData(WithResults):
 
     def test_without_a_best_the_last_that_worked_is_shown(self):
         summary = json.loads((self.folder / "summary.json").read_text())
-        (self.folder / "summary.json").write_text(json.dumps(summary | {"best": None}))
+        (self.folder / "summary.json").write_text(json.dumps(summary | {"best": None, "objective": None}))
         self.assertEqual(read_results(self.folder).best.id, 8)
+
+    def test_numbers_may_be_missing_anywhere(self):
+        history = self.folder / "evaluations" / "0005" / "history.csv"
+        lines = [line.split(",") for line in history.read_text().splitlines()]
+        for i, cells in enumerate(lines[1:]):
+            cells[i % (len(cells) - 1)] = ("nan", "", "inf")[i % 3]
+        for kept in (len(lines), 2, 1):
+            history.write_text("".join(",".join(cells) + "\n" for cells in lines[:kept]))
+            with self.subTest(lines=kept):
+                words = re.sub(r"<(style|script).*?</\1>|<img [^>]*>", "", self.page(), flags=re.S)
+                self.assertNotRegex(words, r"\bnan\b")
+
+
+class Endings(WithResults):
+    """What the page says of runs that did not end well."""
+
+    def rewrite(self, changed: dict, **summary):
+        """Changes all lines of the journal and the summary."""
+        journal = self.folder / "journal.jsonl"
+        entries = [json.loads(line) | changed for line in journal.read_text().splitlines()]
+        journal.write_text("".join(json.dumps(entry) + "\n" for entry in entries))
+        path = self.folder / "summary.json"
+        path.write_text(json.dumps(json.loads(path.read_text()) | summary))
+
+    def test_an_interrupted_run_shows_the_best_so_far(self):
+        self.rewrite({}, status="running", best=None, counts={})
+        self.assertEqual(read_results(self.folder).best.id, 5)
+        text = headline(read_results(self.folder))
+        self.assertIn("Still running, or interrupted", text)
+        self.assertIn("Evaluations: 8 (ok 7, diverged 1).", text)
+        self.assertIn("Best so far: evaluation 5", text)
+
+    def test_the_best_so_far_keeps_the_constraints(self):
+        self.rewrite({}, status="running", best=None)
+        (self.folder / "resolved.toml").write_text('[[constraint]]\nresponse = "angle_40kPa"\nmax = 180\n')
+        self.assertEqual(read_results(self.folder).best.id, 8)
+
+    def test_the_class_of_a_path_comes_with_its_criteria(self):
+        criterion = {"name": "bulge_limit", "class": "interaction_failure", "what": "bulge of the balloon",
+                     "value": 4.2, "limit": 3.5, "unit": "mm", "at_most": True, "margin": -0.2}
+        self.rewrite({"judgement": {"class": "interaction_failure", "reason": "it bulges out", "stage": "excessive",
+                                    "criteria": [criterion], "snap_throughs": []}})
+        text = self.page()
+        self.assertIn("<td>class of the path</td><td>interaction failure</td><td>it bulges out</td>", text)
+        self.assertIn('<tr class="failed"><td>bulge of the balloon</td><td class="number">4.2</td>', text)
+
+    def test_without_success_the_longest_path_is_shown_with_every_reason(self):
+        self.rewrite({"status": "diverged", "reason": "too <small> a step", "responses": {}}, status="no_result",
+                     reason="no design worked", best=None)
+        text = self.page()
+        self.assertIn("No evaluation has worked. Shown is number 1: 60 steps, to 40 kPa", text)
+        self.assertEqual(text.count("at the smallest step: too &lt;small&gt; a step</td>"), 8)
+
+    def test_one_simulation_has_no_loop(self):
+        journal = self.folder / "journal.jsonl"
+        journal.write_text(journal.read_text().splitlines()[0] + "\n")
+        for number in (2, 4, 5, 6, 7, 8):
+            shutil.rmtree(self.folder / "evaluations" / f"{number:04d}")
+        self.rewrite({"design": {}}, best={"id": 1}, objective=None)
+        text = self.page()
+        self.assertNotIn('<section id="loop">', text)
+        self.assertIn('<section id="curve">', text)
 
 
 class Events(WithResults):
@@ -154,9 +228,9 @@ class Events(WithResults):
         self.assertEqual(events.limit_points(np.array([0.0, 1, 2, 3])), [])
         self.assertEqual(events.limit_points(np.array([])), [])
 
-    def test_slow_rise_skips_what_lies_behind_a_limit_point(self):
-        rows = events.first_passages(np.array([0.0, 3, 1, 2, 5]), np.array([0, 2, 3, 4, 5, 6]))
-        self.assertEqual(rows.tolist(), [0, 1, 1, 4, 4, -1])
+    def test_slow_rise_jumps_from_a_limit_point_to_the_next_state_of_its_pressure(self):
+        self.assertEqual(events.jumps(np.array([0.0, 3, 1, np.nan, 2, 5])), [(1, 5)])
+        self.assertEqual(events.jumps(np.array([0.0, 3, 1, 2, 1])), [])
 
     def test_stages_and_loss_of_stability(self):
         history = read_history(self.folder / "evaluations" / "0005" / "history.csv")
@@ -203,16 +277,49 @@ class Numbers(unittest.TestCase):
         values = np.array([np.nan, 3, 1, np.nan, 5])
         np.testing.assert_equal(loop.best_so_far(values, 1), [np.nan, 3, 3, 3, 5])
         np.testing.assert_equal(loop.best_so_far(values, -1), [np.nan, 3, 1, 1, 1])
-        self.assertEqual((loop.goal_sign({"goal": "maximize"}), loop.goal_sign({"goal": "minimize"})), (1, -1))
 
     def test_labels_carry_units(self):
         self.assertEqual(units.label("balloon_stress_max_MPa"), "balloon stress max (MPa)")
         self.assertEqual(units.label("pressure_kPa_max"), "pressure max (kPa)")
+        self.assertEqual(units.label("balloon_stress_max_MPa_max"), "balloon stress max (MPa)")
         self.assertEqual(units.unit_of("tip_x_mm_min"), "mm")
+        self.assertEqual([units.duration(s) for s in (4.81, 217.2, 7500, None)],
+                         ["4.8 s", "3 min 37 s", "2 h 5 min", "–"])
         self.assertEqual(units.label("N"), "N")
         self.assertEqual(units.label("rib_contact_fraction"), "rib contact fraction")
         self.assertEqual([units.number(v) for v in (1.23456, 200.0, None, float("nan"), "normal")],
                          ["1.235", "200", "–", "–", "normal"])
+
+
+class TheReducedModel(WithResults):
+    def resolve(self, model: str):
+        (self.folder / "resolved.toml").write_text(f'[study]\nname = "invented"\n[method]\nmodel = "{model}"\n')
+
+    def with_reduced_responses(self, offset: float):
+        journal = self.folder / "journal.jsonl"
+        entries = [json.loads(line) for line in journal.read_text().splitlines()]
+        for entry in entries:
+            for name, value in list(entry["responses"].items()):
+                if name == "angle_40kPa":
+                    entry["responses"]["reduced_" + name] = value + offset
+        journal.write_text("".join(json.dumps(entry) + "\n" for entry in entries))
+
+    def test_says_that_no_simulation_made_the_numbers(self):
+        self.resolve("reduced")
+        text = self.page()
+        self.assertIn("reduced model, not of a simulation", text)
+        self.assertNotIn("contact penetration", text)
+        self.assertNotIn("Newton iterations", text)
+
+    def test_shows_both_models_where_they_disagree(self):
+        self.resolve("both")
+        self.with_reduced_responses(50.0)
+        section = models.models(read_results(self.folder))
+        self.assertIn("200", section)
+        self.assertIn("250", section)
+        self.assertIn("7 of 8", section)
+        self.with_reduced_responses(1.0)
+        self.assertIn("agree within 5 %", models.models(read_results(self.folder)))
 
 
 if __name__ == "__main__":

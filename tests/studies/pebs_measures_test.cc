@@ -190,8 +190,43 @@ TEST_CASE("an inflated balloon and its largest bulge are measured, also in a ben
     }
     REQUIRE(gauge.measure(inflated, 0).max_bulge == Approx(1.7).margin(0.02));
     REQUIRE(gauge.measure(inflated, 0).radial_ratio == Approx(8 / 3.6).epsilon(0.03));
+    REQUIRE(gauge.measure(inflated, 0).localisation ==
+            Approx(10 / (1 + 2 * std::exp(-1.44))).epsilon(0.05)); // one gap of ten, a bit of two others
     const auto m = gauge.measure(moved(inflated, bend(150, height)), 0);
     REQUIRE(m.max_bulge == Approx(1.7).margin(0.1));
+  }
+}
+
+TEST_CASE("localisation is the largest bulge over the mean of all gaps, what is inside the cage not counted")
+{
+  REQUIRE(localisation_index({1, 1, 1, 1}) == 1);
+  REQUIRE(localisation_index({0, 2, -5, -5}) == 4);
+  REQUIRE(localisation_index({3, 1, -1, 0}) == 3);
+  REQUIRE(localisation_index({-1, -2}) == 1);
+}
+
+TEST_CASE("a rib opens where it grows in its own frame, wherever it has moved")
+{
+  for (const bool symmetric : {true, false}) {
+    const auto pebs = actuator(symmetric);
+    const PebsGauge gauge(pebs.layout, pebs.mesh.nodes, symmetric);
+    auto opened = pebs.mesh.nodes;
+    double outer = 0;
+    for (const std::uint32_t node : pebs.layout.ribs[1].nodes) { // by 5 % of its radius
+      Point &p = opened[node];
+      outer = std::max(outer, std::hypot(p[0], p[1]));
+      p = {1.05 * p[0], 1.05 * p[1], p[2]};
+    }
+    REQUIRE(gauge.measure(pebs.mesh.nodes, 0).rib_opening == Approx(0).margin(1e-9));
+    REQUIRE(gauge.measure(opened, 0).rib_opening ==
+            Approx(0.05 * outer).epsilon(0.06)); // about its centroid, off the axis
+    const auto turned = moved(opened, [](Point p) {
+      RigidFrame frame;
+      frame.rotation = about_y(70);
+      frame.centre = {3, 0, 5};
+      return frame.map(p);
+    });
+    REQUIRE(gauge.measure(turned, 0).rib_opening == Approx(gauge.measure(opened, 0).rib_opening));
   }
 }
 

@@ -258,6 +258,43 @@ TEST_CASE("evaluations survive the journal bit by bit")
   REQUIRE_THROWS_AS(other.read("no json"), std::invalid_argument);
 }
 
+TEST_CASE("a judgement survives the journal, and a journal without one is read")
+{
+  JournalFormat format{optimize::DesignSpace{}};
+  optimize::Evaluation e;
+  e.hash = "0123456789abcdef";
+  format.set_origin(e.hash, {1, "mesh"});
+  REQUIRE(format.judgement(e.hash) == nullptr);
+  const std::string old_line = format.write(e);
+  REQUIRE(old_line.find("judgement") == std::string::npos);
+  JournalFormat old{optimize::DesignSpace{}};
+  old.read(old_line);
+  REQUIRE(old.judgement(e.hash) == nullptr);
+
+  Judgement judgement;
+  judgement.path_class = PathClass::losing_control;
+  judgement.reason = "droop 91 deg, at most 90 deg";
+  judgement.stage = "sufficient";
+  judgement.criteria = {{"droop_angle", PathClass::losing_control, "droop", 91. / 3, 90, "deg", true, -1. / 90},
+                        {"gap_ratio", PathClass::losing_control, "gap", std::nan(""), 2.5, "", true, std::nan("")}};
+  judgement.snaps = {{{36, 1. / 7, 1000, -1}, {36, 190, 2000, 0.1 + 0.2}, true}};
+  format.set_judgement(e.hash, judgement);
+  JournalFormat other{optimize::DesignSpace{}};
+  other.read(format.write(e));
+  const Judgement *read = other.judgement(e.hash);
+  REQUIRE(read != nullptr);
+  REQUIRE(read->path_class == judgement.path_class);
+  REQUIRE(read->reason == judgement.reason);
+  REQUIRE(read->stage == judgement.stage);
+  REQUIRE(read->snaps == judgement.snaps);
+  REQUIRE(read->criteria.size() == 2);
+  REQUIRE(read->criteria[0].value == 91. / 3);
+  REQUIRE(read->criteria[0].margin == -1. / 90);
+  REQUIRE(std::isnan(read->criteria[1].margin));
+  REQUIRE(read->margin(PathClass::losing_control) == -1. / 90);
+  REQUIRE(other.write(e) == format.write(e));
+}
+
 TEST_CASE("a history is read back, without a row that was cut short")
 {
   const Folder folder("history");
@@ -287,7 +324,8 @@ TEST_CASE("the window angle is that of the first state at the pressure")
       row.emplace_back(column, column == "pressure_kPa" ? pressure : column == "bending_angle_deg" ? angle : 1);
     rows.push_back(row);
   }
-  const auto responses = responses_of(file.study(), rows, true);
+  const auto judgement = judgement_of(file.study(), rows, optimize::Status::ok, "end");
+  const auto responses = responses_of(file.study(), rows, true, judgement);
   REQUIRE(responses.at("window_angle_deg") == 90);
   REQUIRE(responses.at("bending_angle_deg") == 120);
   REQUIRE(responses.at("pressure_kPa_max") == 41);
@@ -295,6 +333,6 @@ TEST_CASE("the window angle is that of the first state at the pressure")
   for (const std::string &name : response_names(file.study()))
     REQUIRE(responses.count(name) == 1);
   rows.resize(3); // the window is not reached
-  REQUIRE(std::isnan(responses_of(file.study(), rows, false).at("window_angle_deg")));
-  REQUIRE(responses_of(file.study(), rows, true).at("window_angle_deg") == 60);
+  REQUIRE(std::isnan(responses_of(file.study(), rows, false, {}).at("window_angle_deg")));
+  REQUIRE(responses_of(file.study(), rows, true, {}).at("window_angle_deg") == 60);
 }
