@@ -59,7 +59,6 @@ ContactPairing::ContactPairing(const Mesh &mesh, const ContactPair &pair,
   for (const PrimaryPatch &patch : patches_)
     largest_radius_ = std::max(largest_radius_, patch.radius);
   pairings_.resize(faces_.size() * quadrature_.size());
-  departures_.resize(pairings_.size());
 }
 
 /// The closest point, from patch to neighbouring patch as long as the gap shrinks.
@@ -70,8 +69,7 @@ PairedPoint ContactPairing::paired_point(std::uint32_t index, const Point3 &x, C
   PairedPoint p = {index / quadrature_.size(), index % quadrature_.size(), patch, x, {}, 0};
   p.closest = closest_point(nodes[patch], patches_[patch].range, x, xi);
   p.penetration = patches_[patch].radius - p.closest.distance;
-  const bool may_cross = crossing_ && !departures_[index].returned;
-  for (int k = 0; may_cross && k < most_crossings && cross(p, nodes); ++k) {
+  for (int k = 0; crossing_ && k < most_crossings && cross(p, nodes); ++k) {
   }
   return p;
 }
@@ -120,26 +118,13 @@ void ContactPairing::search(std::span<const double> displacement)
     for (std::uint32_t q = 0; q < quadrature_.size(); ++q) {
       const std::uint32_t index = f * quadrature_.size() + q;
       const Point3 x = interpolate(face_nodes, quadrature_.shapes[q].value);
-      pairings_[index] = settled(index, nearest(x, pairings_[index], candidates));
+      pairings_[index] = nearest(x, pairings_[index], candidates);
       if (pairings_[index].patch != none)
         paired_.push_back(index);
     }
   }
   if (couplings_.size() > before)
     look_ahead(position, tree);
-}
-
-/// The pairing a point gets after a search that has found `found`.
-ContactPairing::Pairing ContactPairing::settled(std::uint32_t index, const Pairing &found)
-{
-  const Pairing &previous = pairings_[index];
-  Departure &departure = departures_[index];
-  if (found.patch == previous.patch || found.patch == none || previous.patch == none)
-    return found;
-  if (departure.returned)
-    return previous;
-  departure = {previous.patch, found.patch == departure.patch};
-  return found;
 }
 
 /// Couples what may come within reach later, so that the couplings change seldom: each change costs a new matrix.

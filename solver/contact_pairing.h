@@ -32,9 +32,6 @@ public:
   /// when another one is equally near.
   void search(std::span<const double> displacement);
 
-  /// Forgets which patches the points have left.
-  void begin_step() { std::fill(departures_.begin(), departures_.end(), Departure{}); }
-
   /// Whether points may cross into neighbouring patches between two searches. In a concave corner two patches are
   /// equally near and a point could change sides for ever.
   void allow_crossing(bool allowed) { crossing_ = allowed; }
@@ -58,12 +55,6 @@ private:
     std::uint32_t patch = none;
     Parameters2 xi = {0.5, 0.5}; ///< where the closest point was at the last search
   };
-  /// In a concave corner two patches are equally near and a point could change sides for ever: one that returns to the
-  /// patch it left in the same step stays there until the step ends.
-  struct Departure {
-    std::uint32_t patch = none;
-    bool returned = false;
-  };
   struct Candidates;
 
   const Mesh &mesh_;
@@ -73,7 +64,6 @@ private:
   std::vector<SecondaryFace> faces_;
   std::vector<PrimaryPatch> patches_;
   std::vector<Pairing> pairings_;     ///< one per point
-  std::vector<Departure> departures_; ///< one per point
   std::vector<std::uint32_t> paired_; ///< indices of the points that have a patch
   std::vector<std::array<std::uint32_t, 2>> couplings_;
   std::unordered_set<std::uint64_t> coupled_;
@@ -85,7 +75,6 @@ private:
   bool coupled(std::uint32_t face, std::uint32_t patch) const;
   PairedPoint paired_point(std::uint32_t index, const Point3 &x, CurrentPatches &) const;
   bool cross(PairedPoint &, CurrentPatches &) const;
-  Pairing settled(std::uint32_t index, const Pairing &found);
   Pairing nearest(const Point3 &x, const Pairing &previous, Candidates &) const;
 };
 

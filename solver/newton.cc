@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "solver/newton.h"
+#include "solver/increment_watch.h"
 #include "solver/petsc_call.h"
 #include <algorithm>
 #include <cmath>
@@ -25,12 +26,9 @@ struct NewtonSolver::Implementation {
   Target target;
   Outcome outcome;
   double held_miss = 0, residual_norm = 0, force_scale = 0;
-  int small_steps = 0;
-  double first_size = 0, last_size = 0; ///< largest component of the first and last increment, mm
-  bool struggling = false;              ///< the increments do not shrink
-  bool convex = false;                  ///< the step has met a tangent that had to be made convex
-  int first_pivots = 0;                 ///< negative ones at the start of the step
-  int struggles = 0;                    ///< iterations in which they did not
+  IncrementWatch watch;
+  bool convex = false;  ///< the step has met a tangent that had to be made convex
+  int first_pivots = 0; ///< negative ones at the start of the step
   bool new_couplings = false;
 
   Implementation(LinearSystem &system, std::vector<VirtualWork *> works, CavityWork *cavity, MPI_Comm comm,
@@ -52,7 +50,6 @@ struct NewtonSolver::Implementation {
   void solve_bordered(Vec f, Vec y);
   void update(Vec x, Vec y);
   void assemble_residual();
-  double capped(const std::vector<double> &increment, double fraction);
   double search(const std::vector<double> &increment, double pressure_increment);
   SNESConvergedReason judge(int iteration);
   void begin_iteration(int iteration);
@@ -245,7 +242,7 @@ bool NewtonSolver::Implementation::factorise()
   if (outcome.residuals.size() == 1)
     first_pivots = outcome.negative_pivots;
   const bool indefinite = outcome.negative_pivots > first_pivots;
-  convex = convex || (indefinite && (struggling || outcome.negative_pivots > 1));
+  convex = convex || (indefinite && (watch.struggling() || outcome.negative_pivots > 1));
   if (!convex || !indefinite)
     return true;
   for (auto *work : works)
@@ -271,23 +268,6 @@ void NewtonSolver::Implementation::solve_bordered(Vec f, Vec y)
     petsc(VecAXPY(u, pressure, response));
   }
   combine(u, pressure, y);
-}
-
-/// An increment far beyond the first one of the step comes from a tangent that is nearly singular: it is cut down.
-double NewtonSolver::Implementation::capped(const std::vector<double> &increment, double fraction)
-{
-  constexpr double growth = 2;
-  double size = 0;
-  for (const double value : increment)
-    size = std::max(size, std::abs(value));
-  if (outcome.residuals.size() == 1)
-    first_size = size;
-  struggling = outcome.residuals.size() > 2 && size > 0.5 * last_size;
-  struggles += struggling;
-  if (outcome.residuals.size() > 1 && size > growth * first_size)
-    fraction = std::min(fraction, growth * first_size / size);
-  last_size = fraction * size;
-  return fraction;
 }
 
 /// Fraction of a step along which the potential's slope does not come down, else 1. One trial only: contact must be let
@@ -321,10 +301,10 @@ void NewtonSolver::Implementation::update(Vec x, Vec y)
   for (const auto *work : works)
     fraction = std::min(fraction, work->largest_step(*state, increment));
   MPI_Allreduce(MPI_IN_PLACE, &fraction, 1, MPI_DOUBLE, MPI_MIN, comm);
-  fraction = capped(increment, fraction);
-  if (struggling &&
-      fraction == 1) // otherwise left alone: a perfect step of a nearly incompressible body raises the slope
+  fraction = watch.trusted(increment, fraction);
+  if (watch.struggling() && fraction == 1) // else left alone: a perfect step of a nearly incompressible body raises it
     fraction = search(increment, -pressure_of(y));
+  watch.taken(fraction);
   for (auto *work : works)
     work->advance(*state, increment, fraction);
   petsc(VecAXPY(x, -fraction, y));
@@ -332,7 +312,6 @@ void NewtonSolver::Implementation::update(Vec x, Vec y)
   system.gather(u, state->displacement);
   state->pressure = pressure_of(x);
   outcome.smallest_fraction = std::min(outcome.smallest_fraction, fraction);
-  small_steps = fraction < 0.05 ? small_steps + 1 : 0;
   begin_iteration(outcome.residuals.size());
 }
 
@@ -360,9 +339,8 @@ SNESConvergedReason NewtonSolver::Implementation::judge(int iteration)
     outcome.converged = true;
     return SNES_CONVERGED_FNORM_RELATIVE;
   }
-  if (small_steps >= 4 || struggles >= 12) {
-    outcome.reason = small_steps >= 4 ? "four iterations in a row could take less than 5 % of their step"
-                                      : "the increments do not shrink";
+  if (const auto reason = watch.reason_to_give_up()) {
+    outcome.reason = *reason;
     return SNES_DIVERGED_LINE_SEARCH;
   }
   if (iteration >= parameters.max_iterations) {
@@ -385,8 +363,8 @@ NewtonSolver::Outcome NewtonSolver::solve(State &state, const Target &target)
   impl_->state = &state;
   impl_->target = target;
   impl_->outcome = {};
-  impl_->small_steps = impl_->struggles = 0;
-  impl_->struggling = impl_->convex = false;
+  impl_->watch = {};
+  impl_->convex = false;
   impl_->system.scatter(state.displacement, impl_->u);
   impl_->combine(impl_->u, state.pressure, impl_->x);
   impl_->begin_iteration(0);

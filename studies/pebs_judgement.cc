@@ -2,9 +2,7 @@
 #include "studies/pebs_judgement.h"
 #include "solver/material.h"
 #include "studies/stages.h"
-#include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 namespace ballonet::studies
 {
@@ -18,25 +16,16 @@ constexpr const char *smallest = "margin";
 
 std::string margin_name(PathClass path_class) { return std::string(smallest) + "_" + word_of(path_class); }
 
-double shear_modulus(const Study &study, const std::string &material)
-{
-  const auto found = std::find_if(study.materials.begin(), study.materials.end(),
-                                  [&](const solver::Material &m) { return m.name == material; });
-  if (found == study.materials.end())
-    throw std::invalid_argument("there is no material \"" + material + "\"");
-  return solver::make_material(*found)->shear_modulus();
-}
-
 JudgedActuator judged_actuator(const Study &study)
 {
   const geometry::Pebs &pebs = study.actuator.pebs;
+  const auto balloon = solver::make_material(material_named(study, study.actuator.balloon_material));
   JudgedActuator actuator;
   actuator.cage_radius = pebs.ribs.inner_radius;
   actuator.rib_thickness = pebs.ribs.thickness;
   actuator.rib_width = pebs.ribs.width;
   actuator.balloon_radius = pebs.balloon.diameter / 2;
-  actuator.limit_pressure = tube_limit_pressure(shear_modulus(study, study.actuator.balloon_material),
-                                                pebs.balloon.wall, actuator.balloon_radius);
+  actuator.limit_pressure = tube_limit_pressure(balloon->shear_modulus(), pebs.balloon.wall, actuator.balloon_radius);
   return actuator;
 }
 

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
 
 namespace ballonet::studies
 {
@@ -14,15 +13,6 @@ namespace
 
 constexpr double degree = std::numbers::pi / 180;
 constexpr double angle_step = 2 * degree; // between two rows of a static path
-
-const solver::Material &material_named(const Study &study, const std::string &name)
-{
-  const auto found = std::find_if(study.materials.begin(), study.materials.end(),
-                                  [&](const solver::Material &material) { return material.name == name; });
-  if (found == study.materials.end())
-    throw std::invalid_argument("there is no material \"" + name + "\"");
-  return *found;
-}
 
 /// The balloon's material with what counts: W = C10 (I1 - 3) and the density.
 solver::Material balloon_view(const Study &study)

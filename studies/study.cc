@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "studies/study.h"
+#include <algorithm>
+#include <stdexcept>
 
 namespace ballonet::studies
 {
@@ -49,6 +51,15 @@ Study default_study(ActuatorKind kind)
   if (kind == ActuatorKind::pebs)
     study.materials.push_back(tpu());
   return study;
+}
+
+const solver::Material &material_named(const Study &study, const std::string &name)
+{
+  const auto found = std::find_if(study.materials.begin(), study.materials.end(),
+                                  [&](const solver::Material &material) { return material.name == name; });
+  if (found == study.materials.end())
+    throw std::invalid_argument("there is no material \"" + name + "\"");
+  return *found;
 }
 
 } // namespace ballonet::studies

@@ -182,4 +182,7 @@ private:
 /// The defaults of a kind of actuator, before the study file is read.
 Study default_study(ActuatorKind kind);
 
+/// The material of that name. Throws std::invalid_argument when there is none.
+const solver::Material &material_named(const Study &, const std::string &name);
+
 } // namespace ballonet::studies

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "tests/support/contact_scene.h"
 #include <catch2/catch.hpp>
+#include <deal.II/lac/full_matrix.h>
+#include <deal.II/lac/lapack_full_matrix.h>
 
 using namespace ballonet::solver;
 using namespace ballonet::tests;
@@ -83,6 +85,19 @@ void check_scene(const ContactScene &scene)
   check_symmetry(assembled(rough, slid));
 }
 
+double smallest_eigenvalue(const DenseAssembly &assembly)
+{
+  const std::size_t n = assembly.residual.size();
+  dealii::LAPACKFullMatrix<double> matrix(n);
+  dealii::FullMatrix<double> vectors;
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < n; ++j)
+      matrix(i, j) = assembly.tangent[n * i + j];
+  dealii::Vector<double> values;
+  matrix.compute_eigenvalues_symmetric(-1e9, 1e9, 0, values, vectors);
+  return *std::min_element(values.begin(), values.end());
+}
+
 } // namespace
 
 TEST_CASE("contact derivatives inside a face")
@@ -128,4 +143,20 @@ TEST_CASE("the stored pressure follows the linear prediction and leaves the resi
   };
   CHECK(distance(before, exact) > 1e-6 * norm(exact.tangent)); // pressure of the old state: first order
   CHECK(distance(predicted, exact) < 0.02 * distance(before, exact));
+}
+
+TEST_CASE("made convex, the tangent has no negative eigenvalue and the residual is the same")
+{
+  const ContactScene scene = edge_scene();
+  ContactWork work(scene.mesh, scene.pair, all_owned);
+  work.begin_step(scene.state, {.dt = 1e-3});
+  const DenseAssembly exact = assembled(work, scene.state);
+  work.convexify(true);
+  const DenseAssembly convex = assembled(work, scene.state);
+  work.convexify(false);
+  const double rounding = 1e-10 * norm(exact.tangent);
+  CHECK(smallest_eigenvalue(exact) < -1e-4 * norm(exact.tangent));
+  CHECK(smallest_eigenvalue(convex) > -rounding);
+  CHECK(convex.residual == exact.residual);
+  CHECK(assembled(work, scene.state).tangent == exact.tangent);
 }

@@ -77,6 +77,21 @@ TEST_CASE("path: a body that passes through another one between the contact poin
   CHECK(end < 0.4);
 }
 
+TEST_CASE("path: one that hardly gets on is ended by path.max_setbacks, long before the smallest step")
+{
+  BarThroughPlate scene;
+  scene.parameters.path.max_setbacks = 1000;
+  Simulation patient(scene.parameters, scene.mesh, MPI_COMM_SELF);
+  const auto crept = follow(patient);
+  CHECK_THAT(crept.result.reason, Catch::Contains("smaller than allowed"));
+  scene.parameters.path.max_setbacks = 4;
+  Simulation impatient(scene.parameters, scene.mesh, MPI_COMM_SELF);
+  const auto ended = follow(impatient);
+  CHECK(ended.result.status == PathStatus::diverged);
+  CHECK_THAT(ended.result.reason, Catch::Contains("standstill") && Catch::Contains("inside or beyond"));
+  CHECK(ended.progress.cuts < crept.progress.cuts);
+}
+
 TEST_CASE("path: too deep a penetration is refused, with the reason")
 {
   Mesh mesh;

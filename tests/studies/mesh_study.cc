@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "mesh_study.h"
 #include "geometry/mesh_io.h"
+#include "studies/command_line.h"
 #include <catch2/catch.hpp>
 #include <fstream>
+#include <sstream>
 
 namespace ballonet::tests
 {
@@ -72,5 +74,43 @@ component = "x"
 control = "load"
 load_steps = 2
 )";
+
+Outcome run_program(const std::vector<std::string> &arguments)
+{
+  std::ostringstream out, err;
+  const int code = studies::run_command_line(arguments, MPI_COMM_WORLD, out, err);
+  return {code, out.str(), err.str()};
+}
+
+StudyRun::StudyRun(const Folder &folder, const std::string &text)
+    : results(folder.path / "results"), study(folder.write("study.toml", text))
+{
+}
+
+int StudyRun::operator()(const std::vector<std::string> &more)
+{
+  std::vector<std::string> arguments = {"run", study, "-o", results.string()};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  const Outcome outcome = run_program(arguments);
+  text = outcome.text();
+  return outcome.code;
+}
+
+std::vector<nlohmann::json> StudyRun::journal() const
+{
+  std::ifstream stream(results / "journal.jsonl");
+  std::vector<nlohmann::json> lines;
+  for (std::string line; std::getline(stream, line);)
+    lines.push_back(nlohmann::json::parse(line));
+  return lines;
+}
+
+nlohmann::json StudyRun::summary() const { return nlohmann::json::parse(std::ifstream(results / "summary.json")); }
+
+StudyRun bar_run(const Folder &folder, const std::string &more)
+{
+  write_bar(folder.path / "bar.msh", 4);
+  return {folder, bar_study + more};
+}
 
 } // namespace ballonet::tests

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 namespace ballonet::tests
 {
@@ -26,5 +28,31 @@ void write_bar(const std::filesystem::path &file, double length);
 
 /// A study of kind mesh about that bar, in "bar.msh": held at x0, pulled at x1 by a dead traction of 10 kPa.
 extern const char *const bar_study;
+
+struct Outcome {
+  int code;
+  std::string out, err;
+  std::string text() const { return out + err; }
+};
+
+/// Runs `ballonet ARGUMENTS` in this process.
+Outcome run_program(const std::vector<std::string> &arguments);
+
+/// A study file in a folder, run as often as a test calls it; results in the folder's "results".
+struct StudyRun {
+  StudyRun(const Folder &folder, const std::string &text);
+
+  /// Exit code of `ballonet run STUDY -o RESULTS MORE`; the output is in `text`.
+  int operator()(const std::vector<std::string> &more = {});
+
+  std::vector<nlohmann::json> journal() const;
+  nlohmann::json summary() const;
+
+  std::filesystem::path results;
+  std::string study, text;
+};
+
+/// The bar's study with `more` behind it, and its mesh.
+StudyRun bar_run(const Folder &folder, const std::string &more = "");
 
 } // namespace ballonet::tests

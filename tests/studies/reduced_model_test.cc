@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "mesh_study.h"
 #include "solver/reduced/balloon_tube.h"
-#include "studies/command_line.h"
 #include "studies/content_hash.h"
 #include "studies/history_table.h"
 #include "studies/paired_model.h"
@@ -14,7 +13,6 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <set>
-#include <sstream>
 
 using namespace ballonet;
 using namespace ballonet::studies;
@@ -44,34 +42,6 @@ response = "pressure_kPa_max"
 goal = "minimize"
 )";
 
-struct Program {
-  explicit Program(const Folder &folder, const std::string &text)
-      : results(folder.path / "results"), study(folder.write("study.toml", text))
-  {
-  }
-  int operator()(const std::vector<std::string> &more = {})
-  {
-    std::vector<std::string> arguments = {"run", study, "-o", results.string()};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    std::ostringstream out;
-    const int code = run_command_line(arguments, MPI_COMM_WORLD, out, out);
-    text = out.str();
-    return code;
-  }
-  std::vector<std::string> journal() const
-  {
-    std::ifstream stream(results / "journal.jsonl");
-    std::vector<std::string> lines;
-    for (std::string line; std::getline(stream, line);)
-      lines.push_back(line);
-    return lines;
-  }
-  nlohmann::json summary() const { return nlohmann::json::parse(std::ifstream(results / "summary.json")); }
-
-  std::filesystem::path results;
-  std::string study, text;
-};
-
 Study study_of(const std::string &text) { return StudyFile("study.toml", text).study(); }
 
 std::string message_of(const std::string &text)
@@ -97,9 +67,9 @@ double largest(const std::vector<Row> &rows, const std::string &column)
 TEST_CASE("one study by the reduced model, with the files of a simulation but no mesh")
 {
   const Folder folder("reduced_solve");
-  Program run(folder, reduced);
+  tests::StudyRun run(folder, reduced);
   REQUIRE(run() == 0);
-  const auto line = nlohmann::json::parse(run.journal().at(0));
+  const auto line = run.journal().at(0);
   CHECK(line.at("status") == "ok");
   CHECK(line.at("mesh_hash") == "");
   CHECK(line.at("reason") == "judge.end_angle is reached");
@@ -177,7 +147,7 @@ TEST_CASE("a ramp is followed in time")
 TEST_CASE("the path ends where the balloon runs out of its cage, an interaction failure that survives the journal")
 {
   const Folder folder("reduced_run_out");
-  Program run(folder, reduced + R"(
+  tests::StudyRun run(folder, reduced + R"(
 [path]
 pressure_max = "100 kPa"
 [judge]
@@ -188,10 +158,9 @@ c10 = "60 kPa"
 )");
   REQUIRE(run() == 0);
   const auto line = run.journal().at(0);
-  const auto json = nlohmann::json::parse(line);
-  CHECK(json.at("reason") == "the balloon runs out of the widest gap");
-  CHECK(json.at("judgement").at("class") == "interaction_failure");
-  CHECK(json.at("responses").at("max_bulge_mm").is_null()); // no number is large enough
+  CHECK(line.at("reason") == "the balloon runs out of the widest gap");
+  CHECK(line.at("judgement").at("class") == "interaction_failure");
+  CHECK(line.at("responses").at("max_bulge_mm").is_null()); // no number is large enough
   REQUIRE(run({"--resume"}) == 0);
   CHECK(run.journal().at(0) == line);
   CHECK(run.summary().at("best").at("judgement").at("class") == "interaction_failure");
@@ -217,17 +186,17 @@ TEST_CASE("a design out of the reduced model's range fails, a study out of it is
 TEST_CASE("a killed search goes on, and what it had is not computed again")
 {
   const Folder folder("reduced_resume");
-  Program run(folder, search);
+  tests::StudyRun run(folder, search);
   REQUIRE(run() == 0);
   const auto whole = run.journal();
   const auto best = run.summary().at("best").at("design");
   REQUIRE(whole.size() == 12);
-  std::ofstream(run.results / "journal.jsonl") << whole[0] << "\n" << whole[1] << "\n" << whole[2].substr(0, 99);
+  std::ofstream(run.results / "journal.jsonl") << whole[0] << "\n" << whole[1] << "\n" << whole[2].dump().substr(0, 99);
   REQUIRE(run({"--resume"}) == 0);
   const auto again = run.journal();
   REQUIRE(again.size() == 12);
   for (std::size_t i = 0; i < whole.size(); ++i) {
-    auto a = nlohmann::json::parse(whole[i]), b = nlohmann::json::parse(again[i]);
+    auto a = whole[i], b = again[i];
     a.erase("seconds");
     b.erase("seconds");
     CHECK(a == b);
@@ -295,7 +264,7 @@ TEST_CASE("the hash knows the model and what the reduced model takes notice of")
 TEST_CASE("a dry run of the reduced model makes no mesh")
 {
   const Folder folder("reduced_dry");
-  Program run(folder, search);
+  tests::StudyRun run(folder, search);
   REQUIRE(run({"--dry-run"}) == 0);
   CHECK_THAT(run.text, Catch::Contains("needs none") && Catch::Contains("at most 12"));
 }
@@ -303,7 +272,7 @@ TEST_CASE("a dry run of the reduced model makes no mesh")
 TEST_CASE("both models are asked, and where they disagree both are told")
 {
   const Folder folder("reduced_both");
-  Program run(folder, R"(
+  tests::StudyRun run(folder, R"(
 [actuator.ribs]
 count = 3
 [actuator.balloon]
@@ -327,7 +296,7 @@ goal = "maximize"
   REQUIRE(run() == 1);
   const auto before = run.journal();
   REQUIRE(before.size() == 2);
-  const auto line = nlohmann::json::parse(before.front());
+  const auto line = before.front();
   CHECK(line.at("status") == "mesh_failed");
   CHECK(line.at("responses").at("reduced_bending_angle_deg").get<double>() == Approx(40));
   CHECK(line.at("responses").count("bending_angle_deg") == 0);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "mesh_study.h"
 #include "solver/hdf5_file.h"
-#include "studies/command_line.h"
 #include "studies/evaluation_run.h"
 #include "studies/history_table.h"
 #include "studies/study_file.h"
@@ -10,7 +9,6 @@
 #include <fstream>
 #include <regex>
 #include <set>
-#include <sstream>
 
 using namespace ballonet;
 using namespace ballonet::studies;
@@ -64,18 +62,6 @@ max_evaluations = 6
 response = "end"
 goal = "maximize"
 )";
-
-int run_search(const Folder &folder, const std::vector<std::string> &more, std::string &text)
-{
-  tests::write_bar(folder.path / "bar.msh", 4);
-  const std::string study = folder.write("study.toml", std::string(tests::bar_study) + search_of_6);
-  std::vector<std::string> arguments = {"run", study, "-o", (folder.path / "results").string()};
-  arguments.insert(arguments.end(), more.begin(), more.end());
-  std::ostringstream out;
-  const int code = run_command_line(arguments, MPI_COMM_WORLD, out, out);
-  text = out.str();
-  return code;
-}
 
 } // namespace
 
@@ -142,12 +128,12 @@ TEST_CASE("results.h5 holds the curves of all evaluations and the convergence, a
 {
   const Folder folder("results_file");
   const auto path = folder.path / "results/results.h5";
-  std::string text;
-  REQUIRE(run_search(folder, {}, text) == 0);
+  tests::StudyRun run = tests::bar_run(folder, search_of_6);
+  REQUIRE(run() == 0);
   for (const bool again : {false, true}) {
     if (again) {
       std::filesystem::remove(path);
-      REQUIRE(run_search(folder, {"--resume"}, text) == 0);
+      REQUIRE(run({"--resume"}) == 0);
     }
     const solver::Hdf5File file(path.string(), solver::Hdf5File::Mode::read);
     const auto numbers = file.read("/convergence/evaluation"), objective = file.read("/convergence/objective"),
@@ -170,11 +156,11 @@ TEST_CASE("results.h5 holds the curves of all evaluations and the convergence, a
 TEST_CASE("a results.h5 that cannot be written is said and loses nothing else")
 {
   const Folder folder("results_file_blocked");
-  std::string text;
-  REQUIRE(run_search(folder, {}, text) == 0);
+  tests::StudyRun run = tests::bar_run(folder, search_of_6);
+  REQUIRE(run() == 0);
   std::filesystem::create_directory(folder.path / "results/results.h5.new"); // in the way
-  REQUIRE(run_search(folder, {"--resume"}, text) == 0);
-  REQUIRE_THAT(text, Catch::Contains("no new results.h5"));
+  REQUIRE(run({"--resume"}) == 0);
+  REQUIRE_THAT(run.text, Catch::Contains("no new results.h5"));
   const solver::Hdf5File old((folder.path / "results/results.h5").string(), solver::Hdf5File::Mode::read);
   REQUIRE(old.has("/evaluations/0001/end"));
   REQUIRE(std::filesystem::exists(folder.path / "results/summary.json"));

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "mesh_study.h"
-#include "studies/command_line.h"
 #include "studies/evaluation_run.h"
 #include "studies/history_table.h"
 #include "studies/journal_format.h"
@@ -11,7 +10,6 @@
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 using namespace ballonet;
 using namespace ballonet::studies;
@@ -19,45 +17,6 @@ using ballonet::tests::Folder;
 
 namespace
 {
-
-int run_program(const std::vector<std::string> &arguments, std::string &text)
-{
-  std::ostringstream out;
-  const int code = run_command_line(arguments, MPI_COMM_WORLD, out, out);
-  text = out.str();
-  return code;
-}
-
-std::vector<nlohmann::json> journal(const Folder &folder)
-{
-  std::ifstream stream(folder.path / "results/journal.jsonl");
-  std::vector<nlohmann::json> lines;
-  for (std::string line; std::getline(stream, line);)
-    lines.push_back(nlohmann::json::parse(line));
-  return lines;
-}
-
-nlohmann::json summary(const Folder &folder)
-{
-  return nlohmann::json::parse(std::ifstream(folder.path / "results/summary.json"));
-}
-
-/// A study of the bar whose stiffness varies, and the arguments to run it.
-struct BarRun {
-  explicit BarRun(const Folder &folder, const std::string &more = "")
-      : arguments{"run", folder.write("study.toml", tests::bar_study + more), "-o", (folder.path / "results").string()}
-  {
-    tests::write_bar(folder.path / "bar.msh", 4);
-  }
-  int operator()(const std::vector<std::string> &more = {})
-  {
-    std::vector<std::string> all = arguments;
-    all.insert(all.end(), more.begin(), more.end());
-    return run_program(all, text);
-  }
-  std::vector<std::string> arguments;
-  std::string text;
-};
 
 const std::string sample_of_4 = R"(
 [[variable]]
@@ -90,7 +49,7 @@ max = 4.1
 TEST_CASE("a study without a method is one simulation with all its files")
 {
   const Folder folder("run_solve");
-  BarRun run(folder);
+  tests::StudyRun run = tests::bar_run(folder);
   REQUIRE(run() == 0);
   for (const char *file :
        {"resolved.toml", "journal.jsonl", "summary.json", "evaluations/0001/mesh.msh", "evaluations/0001/history.csv",
@@ -98,9 +57,9 @@ TEST_CASE("a study without a method is one simulation with all its files")
     CAPTURE(file);
     REQUIRE(std::filesystem::exists(folder.path / "results" / file));
   }
-  REQUIRE(summary(folder).at("status") == "done");
-  REQUIRE(summary(folder).at("counts").at("ok") == 1);
-  const auto line = journal(folder).at(0);
+  REQUIRE(run.summary().at("status") == "done");
+  REQUIRE(run.summary().at("counts").at("ok") == 1);
+  const auto line = run.journal().at(0);
   REQUIRE(line.at("id") == 1);
   REQUIRE(line.at("status") == "ok");
   REQUIRE(std::abs(line.at("responses").at("pull").get<double>()) == Approx(0.01).epsilon(1e-4)); // 10 kPa on 1 mm^2
@@ -115,15 +74,15 @@ TEST_CASE("a study without a method is one simulation with all its files")
 TEST_CASE("an occupied directory is refused, --resume computes nothing twice")
 {
   const Folder folder("run_resume");
-  BarRun run(folder, sample_of_4);
+  tests::StudyRun run = tests::bar_run(folder, sample_of_4);
   REQUIRE(run() == 0);
-  REQUIRE(journal(folder).size() == 4);
+  REQUIRE(run.journal().size() == 4);
   REQUIRE(run() == 2);
   REQUIRE_THAT(run.text, Catch::Contains("--resume"));
-  const auto before = journal(folder);
+  const auto before = run.journal();
   REQUIRE(run({"--resume"}) == 0);
-  REQUIRE(journal(folder) == before);
-  REQUIRE(summary(folder).at("replayed") == 4);
+  REQUIRE(run.journal() == before);
+  REQUIRE(run.summary().at("replayed") == 4);
   REQUIRE(run({"--resume", "--set", "method.max_evaluations=4", "--set", "variable[0].key=path.step_max", "--set",
                "variable[0].min=1 s", "--set", "variable[0].max=2 s"}) == 2);
   REQUIRE_THAT(run.text, Catch::Contains("other variables"));
@@ -132,12 +91,12 @@ TEST_CASE("an occupied directory is refused, --resume computes nothing twice")
 TEST_CASE("an evaluation lost from the journal goes on in its old folder")
 {
   const Folder folder("run_lost");
-  BarRun run(folder, sample_of_4);
+  tests::StudyRun run = tests::bar_run(folder, sample_of_4);
   REQUIRE(run() == 0);
-  const auto before = journal(folder);
+  const auto before = run.journal();
   std::ofstream(folder.path / "results/journal.jsonl") << before[0].dump() << "\n" << before[1].dump().substr(0, 40);
   REQUIRE(run({"--resume"}) == 0);
-  const auto after = journal(folder);
+  const auto after = run.journal();
   REQUIRE(after.size() == 4);
   for (std::size_t i = 0; i < 4; ++i) {
     REQUIRE(after[i].at("id") == before[i].at("id"));
@@ -150,11 +109,11 @@ TEST_CASE("an evaluation lost from the journal goes on in its old folder")
 TEST_CASE("a path that ends without its result is told by exit code, journal and summary")
 {
   const Folder folder("run_no_result");
-  BarRun run(folder);
+  tests::StudyRun run = tests::bar_run(folder);
   REQUIRE(run({"--set", "path.load_steps=8", "--set", "path.max_steps=3"}) == 1);
-  REQUIRE(summary(folder).at("status") == "no_result");
-  REQUIRE_THAT(summary(folder).at("reason").get<std::string>(), Catch::Contains("max_steps"));
-  REQUIRE(journal(folder).at(0).at("status") == "step_limit");
+  REQUIRE(run.summary().at("status") == "no_result");
+  REQUIRE_THAT(run.summary().at("reason").get<std::string>(), Catch::Contains("max_steps"));
+  REQUIRE(run.journal().at(0).at("status") == "step_limit");
   REQUIRE(read_history(folder.path / "results/evaluations/0001/history.csv").size() == 3);
 }
 
@@ -189,9 +148,9 @@ TEST_CASE("an interrupted path goes on from its checkpoint to the same end")
 TEST_CASE("a search finds the softest bar that keeps its constraint")
 {
   const Folder folder("run_search");
-  BarRun run(folder, stretch_to_4_2);
+  tests::StudyRun run = tests::bar_run(folder, stretch_to_4_2);
   REQUIRE(run() == 0);
-  const auto best = summary(folder).at("best");
+  const auto best = run.summary().at("best");
   REQUIRE(best.at("feasible") == true);
   REQUIRE(best.at("responses").at("end").get<double>() <= 4.1 + 1e-3);
   REQUIRE(best.at("responses").at("end").get<double>() > 4.05);
@@ -200,7 +159,7 @@ TEST_CASE("a search finds the softest bar that keeps its constraint")
 TEST_CASE("a dry run says what would be done and writes nothing")
 {
   const Folder folder("run_dry");
-  BarRun run(folder, sample_of_4);
+  tests::StudyRun run = tests::bar_run(folder, sample_of_4);
   REQUIRE(run({"--dry-run"}) == 0);
   REQUIRE_THAT(run.text, Catch::Contains("2 cells, 45 nodes") && Catch::Contains("at most 4"));
   REQUIRE_FALSE(std::filesystem::exists(folder.path / "results"));
@@ -209,7 +168,7 @@ TEST_CASE("a dry run says what would be done and writes nothing")
 TEST_CASE("more ranks per evaluation than there are is wrong input")
 {
   const Folder folder("run_ranks");
-  BarRun run(folder);
+  tests::StudyRun run = tests::bar_run(folder);
   REQUIRE(run({"--set", "parallel.ranks_per_evaluation=64"}) == 2);
   REQUIRE_THAT(run.text, Catch::Contains("parallel.ranks_per_evaluation"));
 }
@@ -219,14 +178,14 @@ TEST_CASE("mesh and export write their files")
   const Folder folder("run_mesh");
   const std::string study =
       folder.write("study.toml", "[actuator.ribs]\ncount = 3\n[actuator.balloon]\nlength = \"9 mm\"\n");
-  std::string text;
-  REQUIRE(run_program({"mesh", study, "-o", folder.path.string()}, text) == 0);
+  const auto meshed = tests::run_program({"mesh", study, "-o", folder.path.string()});
+  REQUIRE(meshed.code == 0);
   REQUIRE(std::filesystem::file_size(folder.path / "mesh.msh") > 1000);
-  REQUIRE_THAT(text, Catch::Contains("smallest scaled Jacobian"));
-  REQUIRE(run_program({"export", study, "--stl", (folder.path / "part.stl").string()}, text) == 0);
+  REQUIRE_THAT(meshed.text(), Catch::Contains("smallest scaled Jacobian"));
+  REQUIRE(tests::run_program({"export", study, "--stl", (folder.path / "part.stl").string()}).code == 0);
   REQUIRE(std::filesystem::file_size(folder.path / "part.stl") > 1000);
-  REQUIRE(run_program({"export", study, "--step", (folder.path / "part.step").string()}, text) == 2);
-  REQUIRE(run_program({"export", study}, text) == 2);
+  REQUIRE(tests::run_program({"export", study, "--step", (folder.path / "part.step").string()}).code == 2);
+  REQUIRE(tests::run_program({"export", study}).code == 2);
 }
 
 TEST_CASE("evaluations survive the journal bit by bit")

@@ -1,29 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "mesh_study.h"
-#include "studies/command_line.h"
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <filesystem>
-#include <sstream>
-
-using namespace ballonet::studies;
 
 namespace
 {
 
-struct Outcome {
-  int code;
-  std::string out, err;
-};
-
-Outcome run_program(const std::vector<std::string> &arguments)
-{
-  std::ostringstream out, err;
-  const int code = run_command_line(arguments, MPI_COMM_WORLD, out, err);
-  return {code, out.str(), err.str()};
-}
-
 using ballonet::tests::Folder;
+using ballonet::tests::Outcome;
+using ballonet::tests::run_program;
 
 struct WrongStudy {
   const char *name;

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "solver/increment_watch.h"
+#include <algorithm>
+#include <cmath>
+
+namespace ballonet::solver
+{
+
+double IncrementWatch::trusted(std::span<const double> increment, double bearable)
+{
+  constexpr double growth = 2, shrink = 0.5;
+  double size = 0;
+  for (const double value : increment)
+    size = std::max(size, std::abs(value));
+  ++increments_;
+  if (increments_ == 1)
+    first_size_ = size;
+  struggling_ = increments_ > 2 && size > shrink * last_size_;
+  struggles_ += struggling_;
+  const double fraction = std::min(bearable, size > growth * first_size_ ? growth * first_size_ / size : 1.);
+  last_size_ = fraction * size;
+  return fraction;
+}
+
+std::optional<std::string> IncrementWatch::reason_to_give_up() const
+{
+  if (small_steps_ >= 4)
+    return "four iterations in a row could take less than 5 % of their step";
+  if (struggles_ >= 12)
+    return "the increments do not shrink";
+  return {};
+}
+
+} // namespace ballonet::solver
