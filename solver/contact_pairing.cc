@@ -94,6 +94,13 @@ bool ContactPairing::cross(PairedPoint &p, CurrentPatches &nodes) const
   return p.patch != here.patch;
 }
 
+void ContactPairing::begin_step()
+{
+  std::fill(pairings_.begin(), pairings_.end(), Pairing());
+  couplings_.clear();
+  coupled_.clear();
+}
+
 void ContactPairing::search(std::span<const double> displacement)
 {
   const CurrentPosition position = {mesh_, displacement};
@@ -131,14 +138,18 @@ void ContactPairing::search(std::span<const double> displacement)
 void ContactPairing::look_ahead(const CurrentPosition &position, const BoxTree &tree)
 {
   for (std::uint32_t f = 0; f < faces_.size(); ++f)
-    tree.overlapping(enclosing_box(at_nodes(faces_[f].nodes, position)).enlarged(largest_radius_ + 2 * margin_),
+    tree.overlapping(enclosing_box(at_nodes(faces_[f].nodes, position)).enlarged(largest_radius_ + 1.5 * margin_),
                      [&](std::uint32_t patch) { couple(f, patches_[patch].face.cell); });
 }
 
+/// The nearest patch. Of several that are equally near, as on a plane of symmetry, the previous one or else the first:
+/// so rounding does not decide.
 ContactPairing::Pairing ContactPairing::nearest(const Point3 &x, const Pairing &previous, Candidates &candidates) const
 {
+  constexpr double tie = 1e-9;
   Pairing best;
   double smallest_gap = margin_;
+  const auto rank = [&](std::uint32_t patch) { return patch == previous.patch ? -1 : std::int64_t(patch); };
   candidates.by_bound.clear();
   for (const std::uint32_t patch : candidates.patches) {
     const double bound = std::sqrt(candidates.boxes[patch].distance_square(x)) - patches_[patch].radius;
@@ -147,16 +158,18 @@ ContactPairing::Pairing ContactPairing::nearest(const Point3 &x, const Pairing &
   }
   std::sort(candidates.by_bound.begin(), candidates.by_bound.end());
   for (const auto &[bound, patch] : candidates.by_bound) {
-    if (bound >= smallest_gap)
+    if (bound > smallest_gap + tie)
       break;
     const auto &[nodes, range] = std::tie(candidates.nodes[patch], patches_[patch].range);
     const ClosestPoint closest =
         patch == previous.patch ? closest_point(nodes, range, x, previous.xi) : closest_point(nodes, range, x);
     const double gap = closest.distance - patches_[patch].radius;
-    if (gap < smallest_gap - 1e-12) {
-      smallest_gap = gap;
+    const bool nearer = gap < smallest_gap - tie;
+    const bool as_near = gap < smallest_gap + tie && best.patch != none;
+    if (nearer || (as_near && rank(patch) < rank(best.patch)))
       best = {patch, closest.xi};
-    }
+    if (nearer)
+      smallest_gap = gap;
   }
   return best;
 }

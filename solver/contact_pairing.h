@@ -28,6 +28,10 @@ public:
   ContactPairing(const Mesh &, const ContactPair &, const std::function<bool(std::uint32_t cell)> &owned,
                  double margin);
 
+  /// Forgets pairs and couplings of the steps before: what follows depends on the state at hand alone, and the matrix
+  /// does not keep room for places where contact has been.
+  void begin_step();
+
   /// Pairs every point closer than the contact distance plus the margin with its nearest patch. A point keeps its patch
   /// when another one is equally near.
   void search(std::span<const double> displacement);
@@ -40,7 +44,7 @@ public:
   template <class Visit>
   void for_each(std::span<const double> displacement, Visit visit) const;
 
-  /// The (face, cell) pairs that have come within reach so far: only these are ever paired. Grows, never shrinks.
+  /// The (face, cell) pairs that have come within reach in this step: only these are ever paired.
   const std::vector<std::array<std::uint32_t, 2>> &couplings() const { return couplings_; }
 
   const Mesh &mesh() const { return mesh_; }

@@ -65,6 +65,7 @@ void ContactWork::search(const State &state)
 
 void ContactWork::begin_step(const State &start, const Step &step)
 {
+  pairing_.begin_step();
   search(start);
   friction_law_.sticking_slip = std::max(slip_velocity_ * step.dt, 1e-6);
   sliding_.clear();

@@ -9,7 +9,7 @@ namespace ballonet::solver
 {
 
 struct ContactOptions {
-  double margin = 0.5;         ///< mm beyond the contact distance within which points and patches are paired
+  double margin = 0.2;         ///< mm beyond the contact distance within which points and patches are paired
   int search_iterations = 6;   ///< the pairing is frozen from this iteration of a step on
   int crossing_iterations = 8; ///< from this one on points stay on their patch
 };
@@ -51,7 +51,7 @@ public:
   void begin_step(const State &start, const Step &) override;
   void begin_iteration(const State &, int iteration) override;
   void add_couplings(std::vector<std::vector<Node>> &) const override;
-  /// True when the last begin_step or begin_iteration brought pairs within reach that had never been before.
+  /// True when the last begin_step or begin_iteration brought new pairs within reach.
   bool couplings_changed() const override { return couplings_changed_; }
 
   double energy(const State &) const override;

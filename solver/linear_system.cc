@@ -88,17 +88,9 @@ private:
 };
 
 LinearSystem::LinearSystem(const Discretization &discretization)
-    : discretization_(discretization), prescribed_(3 * discretization.n_nodes(), std::nan("")),
-      rows_(discretization.n_nodes())
+    : discretization_(discretization), prescribed_(3 * discretization.n_nodes(), std::nan("")), pattern_(discretization)
 {
   set_mumps_options();
-  for (const auto &cell : discretization.mesh().cells)
-    for (const auto node : cell)
-      rows_[node].insert(rows_[node].end(), cell.begin(), cell.end());
-  for (auto &row : rows_) {
-    std::sort(row.begin(), row.end());
-    row.erase(std::unique(row.begin(), row.end()), row.end());
-  }
   lift_ = create_vector();
   Vec vector = create_vector();
   petsc(VecScatterCreateToAll(vector, &to_all_, &sequential_));
@@ -123,57 +115,17 @@ Vec LinearSystem::create_vector() const
   return vector;
 }
 
-void LinearSystem::couple(const std::vector<std::vector<Node>> &couplings)
-{
-  // every rank learns every set: [size, nodes..., size, nodes..., ...]
-  std::vector<unsigned int> mine, all;
-  for (const auto &set : couplings) {
-    bool known = true;
-    for (const auto node : set)
-      known = known && std::includes(rows_[node].begin(), rows_[node].end(), set.begin(), set.end());
-    if (known)
-      continue;
-    mine.push_back(set.size());
-    mine.insert(mine.end(), set.begin(), set.end());
-  }
-  int size = mine.size(), ranks;
-  MPI_Comm_size(discretization_.comm(), &ranks);
-  std::vector<int> sizes(ranks), offsets(ranks + 1);
-  MPI_Allgather(&size, 1, MPI_INT, sizes.data(), 1, MPI_INT, discretization_.comm());
-  for (int r = 0; r < ranks; ++r)
-    offsets[r + 1] = offsets[r] + sizes[r];
-  if (offsets[ranks] == 0)
-    return;
-  all.resize(offsets[ranks]);
-  MPI_Allgatherv(mine.data(), size, MPI_UNSIGNED, all.data(), sizes.data(), offsets.data(), MPI_UNSIGNED,
-                 discretization_.comm());
-  std::vector<bool> touched(rows_.size());
-  for (std::size_t i = 0; i < all.size(); i += all[i] + 1)
-    for (unsigned int a = 1; a <= all[i]; ++a) {
-      auto &row = rows_[all[i + a]];
-      row.insert(row.end(), all.begin() + i + 1, all.begin() + i + 1 + all[i]);
-      touched[all[i + a]] = true;
-    }
-  for (std::size_t node = 0; node < rows_.size(); ++node)
-    if (touched[node]) {
-      auto &row = rows_[node];
-      std::sort(row.begin(), row.end());
-      row.erase(std::unique(row.begin(), row.end()), row.end());
-    }
-  pattern_changed_ = true;
-}
-
 void LinearSystem::rebuild_pattern()
 {
   const auto [first, last] = discretization_.owned_blocks();
   std::vector<Node> node_of(last - first);
-  for (Node node = 0; node < rows_.size(); ++node)
+  for (Node node = 0; node < discretization_.n_nodes(); ++node)
     if (const int b = discretization_.block(node); b >= first && b < last)
       node_of[b - first] = node;
   std::vector<PetscInt> diagonal(last - first), off(last - first);
   std::vector<std::vector<PetscInt>> columns(last - first);
   for (int row = first; row < last; ++row) {
-    for (const auto other : rows_[node_of[row - first]])
+    for (const auto other : pattern_.row(node_of[row - first]))
       if (const int column = discretization_.block(other); column >= row) {
         ++(column < last ? diagonal : off)[row - first];
         columns[row - first].push_back(column);
@@ -208,7 +160,7 @@ template <class Visit>
 void LinearSystem::for_held(const Visit &visit) const
 {
   const auto [first, last] = discretization_.owned_blocks();
-  for (Node node = 0; node < rows_.size(); ++node)
+  for (Node node = 0; node < discretization_.n_nodes(); ++node)
     if (const int b = discretization_.block(node); b >= first && b < last)
       for (int d = 0; d < 3; ++d)
         if (const double target = prescribed_[3 * node + d]; !std::isnan(target))
@@ -302,7 +254,7 @@ void LinearSystem::scatter(const std::vector<double> &field, Vec vector) const
   const auto [first, last] = discretization_.owned_blocks();
   double *values;
   petsc(VecGetArray(vector, &values));
-  for (Node node = 0; node < rows_.size(); ++node)
+  for (Node node = 0; node < discretization_.n_nodes(); ++node)
     if (const int b = discretization_.block(node); b >= first && b < last)
       std::copy_n(&field[3 * node], 3, values + 3 * (b - first));
   petsc(VecRestoreArray(vector, &values));

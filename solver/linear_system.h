@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
-#include "solver/discretization.h"
+#include "solver/coupling_pattern.h"
 #include "solver/virtual_work.h"
 #include <functional>
 #include <petscmat.h>
@@ -27,8 +27,11 @@ public:
   void prescribe(const Prescribed &values) { prescribed_ = values; }
   const Prescribed &prescribed() const { return prescribed_; }
 
-  /// Grows the pattern by `couplings` of this rank (collective). Cheap when nothing is new.
-  void couple(const std::vector<std::vector<Node>> &couplings);
+  /// Makes room for the couplings of this rank beyond the cells' own, see CouplingPattern (collective).
+  void couple(const std::vector<std::vector<Node>> &couplings)
+  {
+    pattern_changed_ = pattern_.cover(couplings) || pattern_changed_;
+  }
 
   /// Calls `add` with an assembly for residuals and sums what it adds over the ranks.
   void assemble(const std::function<void(Assembly &)> &add, Vec sum) const;
@@ -61,7 +64,7 @@ private:
 
   const Discretization &discretization_;
   Prescribed prescribed_;
-  std::vector<std::vector<Node>> rows_; ///< by node: coupled nodes, sorted; complete on every rank
+  CouplingPattern pattern_;
   Mat matrix_ = nullptr;
   PC factor_ = nullptr;
   Vec lift_ = nullptr; ///< K_fc (u_c - prescribed_c)

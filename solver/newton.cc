@@ -287,7 +287,7 @@ double NewtonSolver::Implementation::search(const std::vector<double> &increment
   *state = start;
   if (std::abs(slope) <= enough * std::abs(slope_at_start))
     return 1;
-  return slope * slope_at_start < 0 ? std::clamp(slope_at_start / (slope_at_start - slope), 0.2, 0.7) : 0.5;
+  return slope * slope_at_start < 0 ? std::clamp(slope_at_start / (slope_at_start - slope), 0.5, 0.7) : 0.5;
 }
 
 /// x -= fraction * y with the largest fraction every contribution can bear; stored quantities go along.

@@ -108,10 +108,14 @@ std::optional<double> CageAxis::radius_in_gap(const Point &point, std::size_t ga
 std::optional<CageAxis::Place> CageAxis::place_of(const Point &point) const
 {
   std::optional<Place> nearest; // a bent cage may have the point between several pairs of planes
-  for (std::size_t gap = 0; gap + 1 < stations_.size(); ++gap)
+  double to_station = length(difference(point, stations_.back().centre));
+  for (std::size_t gap = 0; gap + 1 < stations_.size(); ++gap) {
+    to_station = std::min(to_station, length(difference(point, stations_[gap].centre)));
     if (const auto radius = radius_in_gap(point, gap); radius && (!nearest || *radius < nearest->radius))
       nearest = Place{gap, *radius};
-  return nearest;
+  }
+  const bool elsewhere = nearest && nearest->radius > 2 * to_station; // beyond an end, across a cage that is curled up
+  return elsewhere ? std::nullopt : nearest;
 }
 
 double localisation_index(const std::vector<double> &gap_bulges)

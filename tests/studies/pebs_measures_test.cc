@@ -250,3 +250,21 @@ TEST_CASE("a rib counts when enough of its arc is touched")
   REQUIRE(touched_share(ribs, touched, 0.25) == 0.75);
   REQUIRE(touched_share(ribs, touched, 0) == 0.75);
 }
+
+TEST_CASE("a point beyond an end of a curled cage is not taken for a bulge on the other side")
+{
+  constexpr double radius = 20, turn = 260 * degree; // of the axis, an arc that starts upright at the origin
+  std::vector<CageAxis::Station> stations;
+  for (int k = 0; k <= 20; ++k) {
+    const double a = turn * k / 20;
+    stations.push_back({{radius * (std::cos(a) - 1), 0, radius * std::sin(a)}, {-std::sin(a), 0, std::cos(a)}});
+  }
+  const CageAxis axis(stations);
+  CHECK_FALSE(axis.place_of({3, 0, -0.5})); // below the base, level with the last gaps
+  CHECK_FALSE(axis.place_of({-radius + radius * std::cos(turn), 3, radius * std::sin(turn) - 40}));
+  const double middle = turn * 9.5 / 20;
+  const auto bulge = axis.place_of({(radius + 11) * std::cos(middle) - radius, 0, (radius + 11) * std::sin(middle)});
+  REQUIRE(bulge);
+  CHECK(bulge->gap == 9);
+  CHECK(bulge->radius == Approx(11).epsilon(0.01));
+}
