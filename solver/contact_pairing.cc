@@ -99,6 +99,7 @@ void ContactPairing::begin_step()
   std::fill(pairings_.begin(), pairings_.end(), Pairing());
   couplings_.clear();
   coupled_.clear();
+  crossing_ = true;
 }
 
 void ContactPairing::search(std::span<const double> displacement)
@@ -146,7 +147,7 @@ void ContactPairing::look_ahead(const CurrentPosition &position, const BoxTree &
 /// so rounding does not decide.
 ContactPairing::Pairing ContactPairing::nearest(const Point3 &x, const Pairing &previous, Candidates &candidates) const
 {
-  constexpr double tie = 1e-9;
+  constexpr double tie = 1e-9; // mm
   Pairing best;
   double smallest_gap = margin_;
   const auto rank = [&](std::uint32_t patch) { return patch == previous.patch ? -1 : std::int64_t(patch); };

@@ -65,8 +65,10 @@ void ContactWork::search(const State &state)
 
 void ContactWork::begin_step(const State &start, const Step &step)
 {
+  const bool had_couplings = !pairing_.couplings().empty();
   pairing_.begin_step();
   search(start);
+  couplings_changed_ = couplings_changed_ || had_couplings;
   friction_law_.sticking_slip = std::max(slip_velocity_ * step.dt, 1e-6);
   sliding_.clear();
   std::fill(stored_pressure_.begin(), stored_pressure_.end(), 0.);

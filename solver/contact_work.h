@@ -51,7 +51,7 @@ public:
   void begin_step(const State &start, const Step &) override;
   void begin_iteration(const State &, int iteration) override;
   void add_couplings(std::vector<std::vector<Node>> &) const override;
-  /// True when the last begin_step or begin_iteration brought new pairs within reach.
+  /// True when the last begin_step or begin_iteration has changed which pairs are within reach.
   bool couplings_changed() const override { return couplings_changed_; }
 
   double energy(const State &) const override;

@@ -19,7 +19,7 @@ public:
   /// Tells which fraction of that increment has been taken in the end.
   void taken(double fraction) { small_steps_ = fraction < 0.05 ? small_steps_ + 1 : 0; }
 
-  /// From the third increment on: it is not much smaller than the one before.
+  /// From the third increment on: it is not much smaller than what was trusted of the one before.
   bool struggling() const { return struggling_; }
 
   std::optional<std::string> reason_to_give_up() const;

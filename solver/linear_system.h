@@ -25,7 +25,6 @@ public:
 
   /// Which equations are held, and where they shall be.
   void prescribe(const Prescribed &values) { prescribed_ = values; }
-  const Prescribed &prescribed() const { return prescribed_; }
 
   /// Makes room for the couplings of this rank beyond the cells' own, see CouplingPattern (collective).
   void couple(const std::vector<std::vector<Node>> &couplings)

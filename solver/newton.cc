@@ -233,7 +233,8 @@ bool NewtonSolver::Implementation::linearise()
 }
 
 /// A tangent with more negative pivots than at the start of the step points away from the solution once the increments
-/// do not shrink: from then on it is made convex where it has too many of them.
+/// do not shrink (or at once if it has two more): from then on contact's geometric part is left out of tangents that
+/// have too many of them.
 bool NewtonSolver::Implementation::factorise()
 {
   if (!system.factorise(works, *state))
@@ -242,7 +243,7 @@ bool NewtonSolver::Implementation::factorise()
   if (outcome.residuals.size() == 1)
     first_pivots = outcome.negative_pivots;
   const bool indefinite = outcome.negative_pivots > first_pivots;
-  convex = convex || (indefinite && (watch.struggling() || outcome.negative_pivots > 1));
+  convex = convex || (indefinite && (watch.struggling() || outcome.negative_pivots > first_pivots + 1));
   if (!convex || !indefinite)
     return true;
   for (auto *work : works)
@@ -270,14 +271,15 @@ void NewtonSolver::Implementation::solve_bordered(Vec f, Vec y)
   combine(u, pressure, y);
 }
 
-/// Fraction of a step along which the potential's slope does not come down, else 1. One trial only: contact must be let
-/// in to be felt, and shortening until the slope comes down stops just outside it, for ever.
+/// Half for a step along which the potential's slope does not come down, else 1. One trial only: contact must be let in
+/// to be felt, and shortening until the slope comes down stops just outside it, for ever.
 double NewtonSolver::Implementation::search(const std::vector<double> &increment, double pressure_increment)
 {
   constexpr double enough = 0.8;
   const State start = *state;
   double slope_at_start, slope;
-  petsc(VecDot(residual, u, &slope_at_start)); // the residual of evaluate, held entries apart
+  system.clear_held(residual);
+  petsc(VecDot(residual, u, &slope_at_start));
   for (std::size_t i = 0; i < increment.size(); ++i)
     state->displacement[i] += increment[i];
   state->pressure += pressure_increment;
@@ -285,9 +287,7 @@ double NewtonSolver::Implementation::search(const std::vector<double> &increment
   system.clear_held(residual);
   petsc(VecDot(residual, u, &slope));
   *state = start;
-  if (std::abs(slope) <= enough * std::abs(slope_at_start))
-    return 1;
-  return slope * slope_at_start < 0 ? std::clamp(slope_at_start / (slope_at_start - slope), 0.5, 0.7) : 0.5;
+  return std::abs(slope) <= enough * std::abs(slope_at_start) ? 1 : 0.5;
 }
 
 /// x -= fraction * y with the largest fraction every contribution can bear; stored quantities go along.
@@ -311,7 +311,6 @@ void NewtonSolver::Implementation::update(Vec x, Vec y)
   split(x, u);
   system.gather(u, state->displacement);
   state->pressure = pressure_of(x);
-  outcome.smallest_fraction = std::min(outcome.smallest_fraction, fraction);
   begin_iteration(outcome.residuals.size());
 }
 

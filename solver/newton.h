@@ -24,7 +24,6 @@ public:
     bool converged = false;
     std::string reason;            ///< why not
     std::vector<double> residuals; ///< relative, before each iteration and at the end
-    double smallest_fraction = 1;  ///< of a Newton step
     int negative_pivots = 0;       ///< of the last tangent, pressure held
     double volume = 0;             ///< mm^3
     int iterations() const { return static_cast<int>(residuals.size()) - 1; }

@@ -26,13 +26,13 @@ class VirtualWork
 public:
   virtual ~VirtualWork() = default;
 
-  /// Freezes what stays the same during the step: histories, contact pairing.
+  /// Freezes what stays the same during the step, such as histories and friction limits.
   virtual void begin_step(const State & /*start*/, const Step &) {}
 
   /// Called before the assembly of iteration `iteration` (0, 1, ...); contact may search again in the first ones.
   virtual void begin_iteration(const State &, int /*iteration*/) {}
 
-  /// True when the last begin_step or begin_iteration needs couplings that were not announced before.
+  /// True when the couplings have changed in the last begin_step or begin_iteration.
   virtual bool couplings_changed() const { return false; }
   /// Sets of nodes this contribution couples beyond the cells' own.
   virtual void add_couplings(std::vector<std::vector<Node>> &) const {}
@@ -43,7 +43,7 @@ public:
   virtual void residual(const State &, Assembly &) const = 0;
   virtual void tangent(const State &, Assembly &) const = 0;
 
-  /// While on, the tangent leaves out the parts that make it indefinite.
+  /// While on, contact leaves the geometric part out of its tangent: what is left of it is positive semidefinite.
   virtual void convexify(bool /*on*/) {}
 
   /// Carries the stored Newton quantities (stresses, pressures) along with the displacement increment

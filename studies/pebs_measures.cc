@@ -114,7 +114,9 @@ std::optional<CageAxis::Place> CageAxis::place_of(const Point &point) const
     if (const auto radius = radius_in_gap(point, gap); radius && (!nearest || *radius < nearest->radius))
       nearest = Place{gap, *radius};
   }
-  const bool elsewhere = nearest && nearest->radius > 2 * to_station; // beyond an end, across a cage that is curled up
+  constexpr double far_off =
+      2; // in its own cross-section a point is about as far from the axis as from the next station
+  const bool elsewhere = nearest && nearest->radius > far_off * to_station; // a curled cage has its other end there
   return elsewhere ? std::nullopt : nearest;
 }
 

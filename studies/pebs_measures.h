@@ -61,7 +61,7 @@ public:
   };
 
   /// The place of a point, in the cross-section interpolated between the two stations it lies between; nothing if it
-  /// lies between none.
+  /// lies between none, or only between two that are far from it, as beyond an end of a cage that is curled up.
   std::optional<Place> place_of(const Point &point) const;
 
 private:

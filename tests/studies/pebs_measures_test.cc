@@ -253,18 +253,23 @@ TEST_CASE("a rib counts when enough of its arc is touched")
 
 TEST_CASE("a point beyond an end of a curled cage is not taken for a bulge on the other side")
 {
-  constexpr double radius = 20, turn = 260 * degree; // of the axis, an arc that starts upright at the origin
-  std::vector<CageAxis::Station> stations;
-  for (int k = 0; k <= 20; ++k) {
-    const double a = turn * k / 20;
-    stations.push_back({{radius * (std::cos(a) - 1), 0, radius * std::sin(a)}, {-std::sin(a), 0, std::cos(a)}});
+  constexpr double height = 4.5, turn = 260 * degree / 19; // of each gap but one
+  std::vector<CageAxis::Station> stations = {{{0, 0, 0}, {0, 0, 1}}};
+  double angle = 0;
+  for (int gap = 0; gap < 20; ++gap) {
+    const double before = angle;
+    angle += gap == 13 ? 0 : turn; // straight: its planes are parallel, and the base lies between them
+    const double middle = (before + angle) / 2;
+    const auto &below = stations.back().centre;
+    stations.push_back({{below[0] - height * std::sin(middle), 0, below[2] + height * std::cos(middle)},
+                        {-std::sin(angle), 0, std::cos(angle)}});
   }
   const CageAxis axis(stations);
-  CHECK_FALSE(axis.place_of({3, 0, -0.5})); // below the base, level with the last gaps
-  CHECK_FALSE(axis.place_of({-radius + radius * std::cos(turn), 3, radius * std::sin(turn) - 40}));
-  const double middle = turn * 9.5 / 20;
-  const auto bulge = axis.place_of({(radius + 11) * std::cos(middle) - radius, 0, (radius + 11) * std::sin(middle)});
+  CHECK_FALSE(axis.place_of({3, 0, -2})); // below the base
+  const auto &[centre, normal] = stations[10];
+  const auto bulge = axis.place_of({centre[0] + 11 * normal[2] + 0.1 * normal[0], 0,
+                                    centre[2] - 11 * normal[0] + 0.1 * normal[2]}); // on the outer side
   REQUIRE(bulge);
-  CHECK(bulge->gap == 9);
+  CHECK(bulge->gap == 10);
   CHECK(bulge->radius == Approx(11).epsilon(0.01));
 }

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "tests/verification/staged_assembly.h"
+#include <catch2/catch.hpp>
+
+namespace ballonet::tests
+{
+
+using namespace solver;
+
+StagedAssembly::StagedAssembly(const Mesh &mesh, Parameters start) : parameters(std::move(start)), mesh_(mesh)
+{
+  const std::vector<double> zeros(3 * mesh.nodes.size());
+  state = {zeros, zeros, 0, 0};
+}
+
+void StagedAssembly::step(double dt)
+{
+  equilibrium_.reset(); // it refers to the parameters of its stage
+  present_ = parameters;
+  equilibrium_ = std::make_unique<Equilibrium>(present_, mesh_, MPI_COMM_SELF);
+  const auto outcome = equilibrium_->solve(state, {.dt = dt}, {});
+  INFO(outcome.reason << ", last residual " << outcome.residuals.back());
+  REQUIRE(outcome.converged);
+  REQUIRE(equilibrium_->objection(state) == "");
+  state.time += dt;
+}
+
+Vector3 StagedAssembly::force_on(const std::string &surface) const
+{
+  const auto forces = equilibrium_->reactions(state);
+  Vector3 sum = {};
+  for (const auto node : surface_nodes(mesh_, surface))
+    for (int d = 0; d < 3; ++d)
+      sum[d] += forces[3 * node + d];
+  return sum;
+}
+
+Vector3 StagedAssembly::displacement_of(const std::string &surface) const
+{
+  const auto nodes = surface_nodes(mesh_, surface);
+  Vector3 mean = {};
+  for (const auto node : nodes)
+    for (int d = 0; d < 3; ++d)
+      mean[d] += state.displacement[3 * node + d] / nodes.size();
+  return mean;
+}
+
+} // namespace ballonet::tests
