@@ -8,8 +8,8 @@ namespace ballonet::tests
 
 using namespace solver;
 
-std::vector<VolumeAndPressure> blow(const Mesh &mesh, const std::vector<Support> &supports, const Cavity &cavity,
-                                    double volume_ratio)
+std::vector<BlownState> blow(const Mesh &mesh, const std::vector<Support> &supports, const Cavity &cavity,
+                             double volume_ratio, double step)
 {
   Parameters parameters;
   parameters.materials.resize(1);
@@ -20,13 +20,14 @@ std::vector<VolumeAndPressure> blow(const Mesh &mesh, const std::vector<Support>
   parameters.cavity = cavity;
   auto &path = parameters.path;
   path.volume_max = volume_ratio, path.volume_rate = 1;
-  path.step_initial = 0.2, path.step_max = 0.6, path.inertia = false;
+  path.step_initial = 0.2, path.step_max = step, path.inertia = false;
   parameters.newton = {.tolerance = 1e-8, .force_floor = 1e-3};
   Simulation simulation(parameters, mesh, MPI_COMM_SELF);
-  std::vector<VolumeAndPressure> points;
+  std::vector<BlownState> points;
   const auto result = simulation.run(
       [&](const PathPoint &point) {
-        points.push_back({point.progress.volume / point.reference_volume, point.progress.state.pressure});
+        points.push_back({point.progress.volume / point.reference_volume, point.progress.state.pressure,
+                          point.newton.negative_pivots});
         return "";
       },
       [](const std::string &) {});

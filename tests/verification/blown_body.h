@@ -9,14 +9,15 @@ namespace ballonet::tests
 /// Coefficient mu of the incompressible neo-Hookean bodies below, MPa.
 constexpr double blown_mu = 0.3;
 
-struct VolumeAndPressure {
+struct BlownState {
   double volume_ratio, pressure; ///< V / V0, MPa
+  int negative_pivots;           ///< of the tangent at held pressure
 };
 
 /// A nearly incompressible (bulk modulus 1e6 mu) neo-Hookean body blown up by volume, quasi-static and without
-/// viscosity; all steps of its path.
-std::vector<VolumeAndPressure> blow(const solver::Mesh &, const std::vector<solver::Support> &, const solver::Cavity &,
-                                    double volume_ratio);
+/// viscosity; all steps of its path, at most `step` of V / V0 apart.
+std::vector<BlownState> blow(const solver::Mesh &, const std::vector<solver::Support> &, const solver::Cavity &,
+                             double volume_ratio, double step = 0.6);
 
 /// int of f from a to b by Gauss' rule on many intervals.
 double integral(const std::function<double(double)> &f, double a, double b);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "solver/simulation.h"
 #include "tests/support/box_mesh.h"
 #include "tests/support/comparison.h"
+#include "tests/support/run_to_end.h"
 #include <catch2/catch.hpp>
 
 using namespace ballonet::solver;
@@ -82,9 +82,7 @@ TEST_CASE("contact patch test: two pressed blocks")
   const PressedBlocks blocks;
   const auto &pair = blocks.parameters.contact_pairs[0];
   Simulation simulation(blocks.parameters, blocks.mesh, MPI_COMM_SELF);
-  const auto result = simulation.run([](const PathPoint &) { return ""; }, [](const std::string &) {});
-  INFO(result.reason);
-  REQUIRE(result.status == PathStatus::ended);
+  run_to_end(simulation);
   const auto &state = simulation.progress().state;
   const auto &equilibrium = simulation.equilibrium();
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "solver/simulation.h"
 #include "tests/support/box_mesh.h"
 #include "tests/support/comparison.h"
+#include "tests/support/run_to_end.h"
 #include <algorithm>
 #include <catch2/catch.hpp>
 
@@ -44,9 +44,7 @@ double tip(int n)
   const auto mesh = panel(n);
   const auto parameters = clamped_and_sheared();
   Simulation simulation(parameters, mesh, MPI_COMM_SELF);
-  const auto result = simulation.run([](const PathPoint &) { return ""; }, [](const std::string &) {});
-  INFO(result.reason);
-  REQUIRE(result.status == PathStatus::ended);
+  run_to_end(simulation);
   const auto corner = std::find(mesh.nodes.begin(), mesh.nodes.end(), Point3{48, 60, 0});
   REQUIRE(corner != mesh.nodes.end());
   return simulation.progress().state.displacement[3 * (corner - mesh.nodes.begin()) + 1];

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "solver/simulation.h"
 #include "tests/support/box_mesh.h"
 #include "tests/support/comparison.h"
+#include "tests/support/run_to_end.h"
 #include <catch2/catch.hpp>
 
 using namespace ballonet::solver;
@@ -78,9 +78,7 @@ TEST_CASE("cantilever with a dead end force follows Euler's elastica")
   parameters.path.load_steps = 2;
   parameters.newton.force_floor = 1e-3;
   Simulation simulation(parameters, mesh, MPI_COMM_SELF);
-  const auto result = simulation.run([](const PathPoint &) { return ""; }, [](const std::string &) {});
-  INFO(result.reason);
-  REQUIRE(result.status == PathStatus::ended);
+  run_to_end(simulation);
 
   double x = 0, y = 0, count = 0;
   for (const auto node : surface_nodes(mesh, "x1"))

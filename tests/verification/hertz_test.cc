@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "solver/simulation.h"
 #include "tests/support/box_mesh.h"
 #include "tests/support/comparison.h"
+#include "tests/support/run_to_end.h"
 #include <catch2/catch.hpp>
 
 using namespace ballonet::solver;
@@ -78,9 +78,7 @@ Contact measured(const std::vector<ContactPoint> &points)
 Contact press(const Mesh &mesh, const Parameters &parameters)
 {
   Simulation simulation(parameters, mesh, MPI_COMM_SELF);
-  const auto result = simulation.run([](const PathPoint &) { return ""; }, [](const std::string &) {});
-  INFO(result.reason);
-  REQUIRE(result.status == PathStatus::ended);
+  run_to_end(simulation);
   return measured(simulation.equilibrium().contact_points(simulation.progress().state)[0]);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "solver/simulation.h"
 #include "tests/support/comparison.h"
+#include "tests/support/run_to_end.h"
 #include "tests/verification/affine_block.h"
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -66,9 +66,7 @@ double pulled(const std::vector<std::string> &moved, double stretch)
   parameters.path.load_steps = 4;
   parameters.newton = {.tolerance = 1e-9, .force_floor = 1e-3};
   Simulation simulation(parameters, mesh, MPI_COMM_SELF);
-  const auto result = simulation.run([](const PathPoint &) { return ""; }, [](const std::string &) {});
-  INFO(result.reason);
-  REQUIRE(result.status == PathStatus::ended);
+  run_to_end(simulation);
   const auto forces = simulation.equilibrium().reactions(simulation.progress().state);
   double sum = 0;
   for (const auto node : surface_nodes(mesh, "x1"))
