@@ -20,7 +20,8 @@ void for_each_scalar(Progress &p, const Visit &visit)
   visit("cuts", p.cuts);
   visit("setbacks", p.setbacks);
   visit("iterations", p.iterations);
-  visit("load_factor", p.load_factor);
+  visit("factorisations", p.factorisations);
+  visit("load_factor", p.state.load_factor);
   visit("stretch", p.stretch);
   visit("dt", p.dt);
   visit("volume", p.volume);

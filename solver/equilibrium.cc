@@ -42,7 +42,10 @@ Equilibrium::Equilibrium(const Parameters &parameters, const Mesh &mesh, MPI_Com
   works_.push_back(inertia_.get());
   if (cavity_)
     works_.push_back(cavity_.get());
-  newton_ = std::make_unique<NewtonSolver>(system_, works_, cavity_.get(), comm, parameters.newton);
+  std::vector<VirtualWork *> loads;
+  for (const auto &load : loads_)
+    loads.push_back(load.get());
+  newton_ = std::make_unique<NewtonSolver>(system_, works_, loads, cavity_.get(), comm, parameters.newton);
 }
 
 Equilibrium::~Equilibrium() = default;
@@ -97,6 +100,7 @@ NewtonSolver::Outcome Equilibrium::solve(State &state, const Step &step, const N
   for (auto *work : works_)
     work->begin_step(state, step);
   State end = state;
+  end.load_factor = step.load_factor;
   auto outcome = newton_->solve(end, target);
   if (outcome.converged)
     state = std::move(end);

@@ -203,8 +203,9 @@ struct Path {
 };
 
 struct Newton {
-  double tolerance = 1e-6;
+  double tolerance = 1e-8;
   double force_floor = 0.5; // N
+  double reuse_below = 1e-3;
   int max_iterations = 25;
   template <class Self, class Visitor>
   static void fields(Self &self, Visitor &v)
@@ -212,6 +213,8 @@ struct Newton {
     v.quantity("tolerance", self.tolerance, "1", 1e-14, 1e-2,
                "residual norm relative to the norm of the applied forces");
     v.quantity("force_floor", self.force_floor, "N", 0, 1e9, "smallest force scale the residual is compared with");
+    v.quantity("reuse_below", self.reuse_below, "1", 0, 1,
+               "below this residual the last factor serves again as long as the residual falls tenfold; 0: never");
     v.count("max_iterations", self.max_iterations, 1, 1000, "iterations before a step is cut");
   }
 };

@@ -67,9 +67,9 @@ PathFollower::Attempt PathFollower::next(const PathProgress &progress) const
   return attempt;
 }
 
-void PathFollower::adapt(PathProgress &progress, int iterations) const
+void PathFollower::adapt(PathProgress &progress, int factorisations) const
 {
-  const double factor = iterations <= 6 ? 1.5 : iterations > 12 ? 0.6 : 1;
+  const double factor = factorisations <= 5 ? 1.5 : factorisations > 10 ? 0.6 : 1;
   if (preloading(progress))
     progress.stretch *= factor;
   else
@@ -83,6 +83,7 @@ bool PathFollower::advance(PathProgress &progress, const Observer &observe, cons
   State state = progress.state;
   const auto outcome = equilibrium_.solve(state, attempt.step, attempt.target);
   progress.iterations += outcome.iterations();
+  progress.factorisations += outcome.factorisations;
   const std::string objection = outcome.converged ? equilibrium_.objection(state) : outcome.reason;
   std::ostringstream line;
   if (!objection.empty()) {
@@ -119,7 +120,7 @@ bool PathFollower::advance(PathProgress &progress, const Observer &observe, cons
   if (was_preload && !preloading(progress))
     progress.dt = path_.step_initial;
   else
-    adapt(progress, outcome.iterations());
+    adapt(progress, outcome.factorisations);
   result.reason = observe(point);
   return true;
 }

@@ -13,6 +13,7 @@ struct PathProgress {
   int cuts = 0;             ///< rejected attempts
   int setbacks = 0;         ///< two more with every cut, one less with every step: grows when the path stands still
   int iterations = 0;       ///< Newton iterations of all attempts
+  int factorisations = 0;   ///< of all attempts
   double load_factor = 0;   ///< of gravity, loads and moved supports
   double stretch = 0;       ///< next increment of the load factor
   double dt = 0;            ///< next time step, s
@@ -62,7 +63,7 @@ private:
   Attempt next(const PathProgress &progress) const;
   /// Takes one step; false after a cut.
   bool advance(PathProgress &progress, const Observer &observe, const Log &log, PathResult &result);
-  void adapt(PathProgress &progress, int iterations) const;
+  void adapt(PathProgress &progress, int factorisations) const;
   std::string end_reached(const PathProgress &progress) const;
   double seconds() const;
 

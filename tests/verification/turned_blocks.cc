@@ -92,7 +92,8 @@ void TurnedBlocks::hold(const std::string &surface, const Vector3 &way, Prescrib
 void TurnedBlocks::step(double dt, const Vector3 &way, double load_factor, double angle)
 {
   for (VirtualWork *work : std::initializer_list<VirtualWork *>{&lower_, &upper_, &load_, &contact_})
-    work->begin_step(state_, {.dt = dt, .load_factor = load_factor});
+    work->begin_step(state_, {.dt = dt});
+  state_.load_factor = load_factor;
   turn_rigidly(angle);
   Prescribed values(state_.displacement.size(), std::nan(""));
   hold("lower.z0", {0, 0, 0}, values);
