@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "solver/elastic_work.h"
+#include "solver/cell_stiffness.h"
 #include "solver/dense.h"
 #include <algorithm>
 
@@ -108,12 +109,13 @@ ElasticWork::PressureSystem ElasticWork::pressure_system(const Cell &cell, const
       for (int j = 0; j < n_pressures; ++j)
         system.mass[n_pressures * i + j] += w * N[i] * N[j] / law_->bulk_modulus();
     }
+    CellVector dJ;
     for (int a = 0; a < n_cell_nodes; ++a)
-      for (int m = 0; m < 3; ++m) {
-        const double dJ = cofactor[3 * m] * G[a][0] + cofactor[3 * m + 1] * G[a][1] + cofactor[3 * m + 2] * G[a][2];
-        for (int i = 0; i < n_pressures; ++i)
-          system.coupling[i * n_cell_values + 3 * a + m] += w * N[i] * dJ;
-      }
+      for (int m = 0; m < 3; ++m)
+        dJ[3 * a + m] = cofactor[3 * m] * G[a][0] + cofactor[3 * m + 1] * G[a][1] + cofactor[3 * m + 2] * G[a][2];
+    for (int i = 0; i < n_pressures; ++i)
+      for (int j = 0; j < n_cell_values; ++j)
+        system.coupling[i * n_cell_values + j] += w * N[i] * dJ[j];
   }
   return system;
 }
@@ -205,41 +207,17 @@ void ElasticWork::residual(const State &state, Assembly &out) const
 
 void ElasticWork::tangent(const State &state, Assembly &out) const
 {
-  static thread_local std::array<double, 6 * n_points * n_cell_values> B, DB;
-  static thread_local std::array<double, 3 * n_points * n_cell_nodes> G_all, SG;
+  static thread_local CellStiffness stiffness;
+  static thread_local CellMatrix K;
   for (const auto &cell : cells_) {
     const auto u = local(cell, state.displacement);
     for (int q = 0; q < n_points; ++q) {
       const auto &G = cell.quadrature.gradient[q];
-      const double w = cell.quadrature.weight[q];
       const Matrix3 F = deformation_gradient(G, u);
-      const auto point = material(cell, q, right_cauchy_green(F));
-      double *b = &B[6 * q * n_cell_values], *db = &DB[6 * q * n_cell_values];
-      strain_displacement(F, G, b);
-      std::fill_n(db, 6 * n_cell_values, 0.);
-      for (int i = 0; i < 6; ++i)
-        for (int j = 0; j < 6; ++j) {
-          const double d = w * point.tangent[6 * i + j];
-          for (int n = 0; n < n_cell_values; ++n)
-            db[i * n_cell_values + n] += d * b[j * n_cell_values + n];
-        }
-      for (int i = 0; i < 3; ++i)
-        for (int a = 0; a < n_cell_nodes; ++a) {
-          double sum = 0;
-          for (int j = 0; j < 3; ++j)
-            sum += cell.stress[q][voigt_index[i][j]] * G[a][j];
-          G_all[(3 * q + i) * n_cell_nodes + a] = G[a][i];
-          SG[(3 * q + i) * n_cell_nodes + a] = w * sum;
-        }
+      const auto tangent = material(cell, q, right_cauchy_green(F)).tangent;
+      stiffness.set_point(q, cell.quadrature.weight[q], G, first_elasticity_tensor(F, cell.stress[q], tangent));
     }
-    std::array<double, n_cell_values * n_cell_values> K{};
-    std::array<double, n_cell_nodes * n_cell_nodes> geometric{};
-    add_transposed_product(n_cell_values, n_cell_values, 6 * n_points, B.data(), DB.data(), K.data());
-    add_transposed_product(n_cell_nodes, n_cell_nodes, 3 * n_points, G_all.data(), SG.data(), geometric.data());
-    for (int a = 0; a < n_cell_nodes; ++a)
-      for (int b = 0; b < n_cell_nodes; ++b)
-        for (int i = 0; i < 3; ++i)
-          K[(3 * a + i) * n_cell_values + 3 * b + i] += geometric[a * n_cell_nodes + b];
+    stiffness.sum(K);
     if (mixed_) { // + L^T M^-1 L
       auto system = pressure_system(cell, u);
       invert_spd(n_pressures, system.mass.data());
