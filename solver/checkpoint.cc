@@ -36,6 +36,7 @@ void write_checkpoint(const std::string &file, const PathProgress &progress)
     Hdf5File out(file + ".new", Hdf5File::Mode::create);
     out.write("displacement", progress.state.displacement, 3);
     out.write("velocity", progress.state.velocity, 3);
+    out.write("acceleration", progress.state.acceleration, 3);
     for_each_scalar(progress, [&](const char *name, double value) { out.write_attribute("/", name, value); });
   }
   std::filesystem::rename(file + ".new", file);
@@ -51,6 +52,7 @@ bool read_checkpoint(const std::string &file, PathProgress &progress)
     throw std::runtime_error("checkpoint " + file + " belongs to another mesh");
   progress.state.displacement = std::move(displacement);
   progress.state.velocity = std::move(velocity);
+  progress.state.acceleration = in.read("acceleration");
   for_each_scalar(progress, [&](const char *name, auto &value) { value = in.read_attribute("/", name); });
   return true;
 }

@@ -24,7 +24,7 @@ const auto &named(const List &list, const std::string &name, const char *what)
 Equilibrium::Equilibrium(const Parameters &parameters, const Mesh &mesh, MPI_Comm comm)
     : parameters_(parameters), comm_(comm), discretization_(mesh, comm), system_(discretization_)
 {
-  build_loads(build_bodies());
+  build_bodies();
   for (const auto &pair : parameters.contact_pairs) {
     contacts_.push_back(
         std::make_unique<ContactWork>(mesh, pair, [this](std::uint32_t cell) { return discretization_.owns(cell); }));
@@ -50,10 +50,10 @@ Equilibrium::Equilibrium(const Parameters &parameters, const Mesh &mesh, MPI_Com
 
 Equilibrium::~Equilibrium() = default;
 
-/// Returns the nodal masses of this rank's cells.
-std::vector<double> Equilibrium::build_bodies()
+/// The bodies, and what follows from their masses.
+void Equilibrium::build_bodies()
 {
-  std::vector<double> mass(discretization_.n_nodes());
+  std::vector<double> mass(discretization_.n_nodes()), damping = mass;
   const auto &names = discretization_.mesh().bodies;
   for (std::uint32_t b = 0; b < names.size(); ++b) {
     const auto &body = named(parameters_.bodies, names[b], "body");
@@ -61,8 +61,10 @@ std::vector<double> Equilibrium::build_bodies()
     bodies_.push_back(std::make_unique<ElasticWork>(discretization_, b, make_material(material),
                                                     material.relaxation_time, body.mixed));
     add_nodal_mass(discretization_, b, material.density, mass);
+    add_nodal_mass(discretization_, b, material.density * material.mass_damping, damping);
   }
-  return mass;
+  build_loads(mass);
+  inertia_ = std::make_unique<InertiaWork>(std::move(mass), std::move(damping), step_rule(parameters_.path));
 }
 
 void Equilibrium::build_loads(const std::vector<double> &mass)
@@ -71,13 +73,35 @@ void Equilibrium::build_loads(const std::vector<double> &mass)
   for (const auto &load : parameters_.loads)
     if (load.pressure != 0)
       loads_.push_back(std::make_unique<FollowerLoad>(discretization_, load));
-  inertia_ = std::make_unique<InertiaWork>(mass);
 }
 
 State Equilibrium::initial_state() const
 {
   const std::vector<double> zeros(3 * discretization_.n_nodes());
-  return {zeros, zeros, 0, 0};
+  return {zeros, zeros, zeros, 0, 0};
+}
+
+/// Nodal masses, t, summed over the ranks.
+std::vector<double> Equilibrium::total_mass() const
+{
+  auto mass = inertia_->mass();
+  MPI_Allreduce(MPI_IN_PLACE, mass.data(), mass.size(), MPI_DOUBLE, MPI_SUM, comm_);
+  if (std::all_of(mass.begin(), mass.end(), [](double m) { return m == 0; }))
+    throw std::invalid_argument("free motion needs mass; no material has a density");
+  return mass;
+}
+
+void Equilibrium::release(State &state)
+{
+  const Prescribed held = prescribed(1);
+  if (std::any_of(held.begin(), held.end(), [](double value) { return value != 0 && !std::isnan(value); }))
+    throw std::invalid_argument("path.control = \"release\" lets go of a body at rest; it cannot move a support");
+  const auto mass = total_mass();
+  for (auto *work : works_)
+    work->begin_step(state, {.dt = infinity});
+  const auto forces = newton_->forces(state);
+  for (std::size_t i = 0; i < forces.size(); ++i)
+    state.acceleration[i] = std::isnan(held[i]) && mass[i / 3] > 0 ? -forces[i] / mass[i / 3] : 0;
 }
 
 Prescribed Equilibrium::prescribed(double load_factor) const
@@ -102,9 +126,42 @@ NewtonSolver::Outcome Equilibrium::solve(State &state, const Step &step, const N
   State end = state;
   end.load_factor = step.load_factor;
   auto outcome = newton_->solve(end, target);
-  if (outcome.converged)
+  if (outcome.converged) {
+    inertia_->end_step(end);
     state = std::move(end);
+  }
   return outcome;
+}
+
+/// The tangent of a step that starts at `state`, there.
+void Equilibrium::factorise_tangent(const State &state, const Step &step)
+{
+  system_.prescribe(prescribed(step.load_factor));
+  std::vector<std::vector<Node>> couplings;
+  for (auto *work : works_) {
+    work->begin_step(state, step);
+    work->begin_iteration(state, 0);
+    work->add_couplings(couplings);
+  }
+  system_.couple(couplings);
+  if (!system_.factorise(works_, state))
+    throw std::runtime_error("the factorisation of the tangent failed");
+}
+
+std::vector<Mode> Equilibrium::modes(const State &state, const ModeRequest &request)
+{
+  if (request.volume_held && !cavity_)
+    throw std::invalid_argument("modes at held volume need a cavity");
+  const auto mass = total_mass();
+  factorise_tangent(state, {.dt = request.dt, .load_factor = request.load_factor});
+  if (!request.volume_held)
+    return lowest_modes(system_, mass, nullptr, request.count);
+  Vec gradient = system_.create_vector();
+  system_.assemble([&](Assembly &assembly) { cavity_->volume_gradient(state, assembly); }, gradient);
+  system_.clear_held(gradient);
+  auto found = lowest_modes(system_, mass, gradient, request.count);
+  VecDestroy(&gradient);
+  return found;
 }
 
 Energies Equilibrium::energies(const State &state) const
@@ -114,6 +171,7 @@ Energies Equilibrium::energies(const State &state) const
     e.stored += body->stored_energy(state);
     e.dissipated += body->dissipated(state);
   }
+  e.dissipated += inertia_->dissipated(state);
   e.kinetic = inertia_->kinetic_energy(state);
   MPI_Allreduce(MPI_IN_PLACE, &e, 3, MPI_DOUBLE, MPI_SUM, comm_);
   return e;

@@ -2,7 +2,9 @@
 #pragma once
 #include "solver/contact_work.h"
 #include "solver/elastic_work.h"
+#include "solver/inertia_work.h"
 #include "solver/load_work.h"
+#include "solver/modes.h"
 #include "solver/newton.h"
 #include "solver/parameters.h"
 #include "solver/penetration_check.h"
@@ -14,7 +16,7 @@ namespace ballonet::solver
 /// Energies of a state, N mm, summed over the ranks.
 struct Energies {
   double stored = 0;     ///< elastic
-  double dissipated = 0; ///< by viscosity, since the start of the step
+  double dissipated = 0; ///< by viscosity and mass damping, since the start of the step
   double kinetic = 0;
 };
 
@@ -27,14 +29,23 @@ public:
   ~Equilibrium();
 
   State initial_state() const;
+  /// Lets the body go: the state gets the acceleration that follows from the forces out of balance when gravity and
+  /// loads act in full. Throws std::invalid_argument where there is no mass or a support is moved (it would have to
+  /// jump).
+  void release(State &state);
   const Discretization &discretization() const { return discretization_; }
   bool has_cavity() const { return cavity_ != nullptr; }
 
-  /// Balances `state` at the end of a step that starts there. On failure `state` is what it was.
+  /// Balances `state` at the end of a step that starts there, velocity and acceleration included. On failure `state`
+  /// is what it was.
   NewtonSolver::Outcome solve(State &state, const Step &step, const NewtonSolver::Target &target);
 
   /// Why a converged state must not be accepted (a node of one body inside another, penetration), or an empty string.
   std::string objection(const State &state) const;
+
+  /// Lowest natural frequencies and shapes about an equilibrium, which may be unstable (collective). Throws
+  /// std::runtime_error when they cannot be found, std::invalid_argument where there is no mass, or no volume to hold.
+  std::vector<Mode> modes(const State &state, const ModeRequest &request);
 
   double volume(const State &state) const { return newton_->volume(state); }
   Energies energies(const State &state) const;
@@ -48,8 +59,10 @@ public:
   std::vector<std::vector<ContactPoint>> contact_points(const State &state) const;
 
 private:
+  void build_bodies();
   void build_loads(const std::vector<double> &mass);
-  std::vector<double> build_bodies();
+  std::vector<double> total_mass() const;
+  void factorise_tangent(const State &state, const Step &step);
   Prescribed prescribed(double load_factor) const;
 
   const Parameters &parameters_;

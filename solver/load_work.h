@@ -48,24 +48,4 @@ private:
   std::vector<std::array<Node, n_face_nodes>> faces_;
 };
 
-/// Inertia of lumped masses by backward Euler as an incremental potential:
-///   sum_a m_a |u_a - u_n,a - dt v_n,a|^2 / (2 dt^2).
-class InertiaWork : public VirtualWork
-{
-public:
-  explicit InertiaWork(std::vector<double> mass);
-  void begin_step(const State &start, const Step &step) override;
-  double energy(const State &state) const override;
-  void residual(const State &state, Assembly &out) const override;
-  void tangent(const State &state, Assembly &out) const override;
-  /// Kinetic energy of this rank's part of the masses, N mm.
-  double kinetic_energy(const State &state) const;
-
-private:
-  std::vector<double> mass_;
-  std::vector<Node> nodes_;
-  std::vector<double> reached_; ///< u_n + dt v_n
-  double rate_ = 0;             ///< 1 / dt^2, zero without inertia
-};
-
 } // namespace ballonet::solver

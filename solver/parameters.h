@@ -22,6 +22,7 @@ struct Material {
   std::optional<double> c10, d1, youngs_modulus, poisson_ratio;
   double density = 0;         // t/mm^3
   double relaxation_time = 0; // s
+  double mass_damping = 0;    // 1/s
 
   template <class Self, class Visitor>
   static void fields(Self &self, Visitor &v)
@@ -36,6 +37,9 @@ struct Material {
     v.quantity("density", self.density, "t/mm^3", 0, 1e-6, "mass per reference volume");
     v.quantity("relaxation_time", self.relaxation_time, "s", 0, 10,
                "Kelvin-Voigt viscosity: viscous stress = 2 mu * relaxation_time * strain rate");
+    v.quantity("mass_damping", self.mass_damping, "1/s", 0, 1e6,
+               "Rayleigh's alpha: force against the velocity of every particle = mass_damping * mass * velocity; acts "
+               "where the path runs with inertia");
   }
 };
 
@@ -149,10 +153,15 @@ struct Response {
   }
 };
 
-enum class Control { volume, pressure, ramp, load, arc_length };
+enum class Control { volume, pressure, ramp, load, release, arc_length };
+/// Whether the control drives the volume or the pressure of a cavity.
+constexpr bool drives_cavity(Control control) { return control != Control::load && control != Control::release; }
+
+enum class Integrator { by_control, backward_euler, generalised_alpha };
 
 /// How the path is driven. Load factor: 0 to 1 over the run under `load`; under the other controls it brings gravity,
-/// loads and moved supports in during the first stretch, before the cavity is driven.
+/// loads and moved supports in during the first stretch, before the cavity is driven; under `release` it is 1 from the
+/// first instant.
 struct Path {
   Control control = Control::volume;
   double volume_rate = 6;         // V0 per second
@@ -164,6 +173,9 @@ struct Path {
   int preload_steps = 4;
   int load_steps = 10;
   bool inertia = true;
+  Integrator integrator = Integrator::by_control;
+  double spectral_radius = 0.8;
+  double duration = 1;                                          // s
   double step_initial = 2e-3, step_min = 1e-5, step_max = 4e-2; // s (fraction of the run under `load`)
   int max_steps = 1000;
   int max_setbacks = 24;
@@ -177,9 +189,11 @@ struct Path {
               {"pressure", Control::pressure},
               {"ramp", Control::ramp},
               {"load", Control::load},
+              {"release", Control::release},
               {"arc_length", Control::arc_length}},
              "what is prescribed: cavity volume, cavity pressure (quasi-static), pressure ramp in time (with inertia), "
-             "load factor (no cavity)");
+             "load factor (no cavity), or nothing: free motion in time after a body at rest is let go under gravity, "
+             "loads and initial_pressure");
     v.quantity("volume_rate", self.volume_rate, "1/s", 1e-6, 1e6, "growth of V / V0 per second of pseudo-time");
     v.quantity("volume_max", self.volume_max, "1", 1, 1e6, "the path ends at this V / V0");
     v.quantity("pressure_rate", self.pressure_rate, "MPa/s", 1e-9, 1e6,
@@ -191,6 +205,16 @@ struct Path {
     v.count("preload_steps", self.preload_steps, 1, 1000, "first guess of the number of preload steps");
     v.count("load_steps", self.load_steps, 1, 100000, "first guess of the number of steps under load control");
     v.flag("inertia", self.inertia, "with mass (lumped); without, the path is driven by viscosity alone");
+    v.choice("integrator", self.integrator,
+             {{"by_control", Integrator::by_control},
+              {"backward_euler", Integrator::backward_euler},
+              {"generalised_alpha", Integrator::generalised_alpha}},
+             "how time is stepped where there is inertia: backward Euler (first order, damps all motion), the "
+             "generalised-alpha method of Wood, Bossak and Zienkiewicz (second order), or by_control: the latter under "
+             "release, else the former");
+    v.quantity("spectral_radius", self.spectral_radius, "1", 0, 1,
+               "generalised_alpha: what is left of the highest frequencies after a step; 1 damps nothing");
+    v.quantity("duration", self.duration, "s", 1e-9, 1e9, "the path ends at this time under release");
     v.quantity("step_initial", self.step_initial, "s", 1e-9, 1e3, "first time step after the preload");
     v.quantity("step_min", self.step_min, "s", 1e-12, 1e3, "smallest time step; below it the path has diverged");
     v.quantity("step_max", self.step_max, "s", 1e-9, 1e9, "largest time step");

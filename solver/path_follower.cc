@@ -27,9 +27,11 @@ PathFollower::PathFollower(Equilibrium &equilibrium, const Path &path, MPI_Comm 
 {
   if (path.control == Control::arc_length)
     throw std::invalid_argument("path.control = \"arc_length\" is not available in this version; "
-                                "use volume, pressure, ramp or load");
-  if (path.control != Control::load && !equilibrium.has_cavity())
-    throw std::invalid_argument("path.control needs a cavity; without one use control = \"load\"");
+                                "use volume, pressure, ramp, load or release");
+  if (drives_cavity(path.control) && !equilibrium.has_cavity())
+    throw std::invalid_argument("path.control needs a cavity; without one use control = \"load\" or \"release\"");
+  if (path.control == Control::release && !path.inertia)
+    throw std::invalid_argument("path.control = \"release\" is motion with mass; it needs path.inertia = true");
 }
 
 PathProgress PathFollower::start() const
@@ -39,6 +41,11 @@ PathProgress PathFollower::start() const
   progress.volume = reference_volume_;
   progress.stretch = 1. / (path_.control == Control::load ? path_.load_steps : path_.preload_steps);
   progress.dt = path_.step_initial;
+  if (path_.control == Control::release) {
+    progress.load_factor = 1; // no preload
+    progress.state.pressure = path_.initial_pressure;
+    equilibrium_.release(progress.state);
+  }
   return progress;
 }
 
@@ -58,6 +65,9 @@ PathFollower::Attempt PathFollower::next(const PathProgress &progress) const
     const bool last = 1 - progress.load_factor - attempt.stretch < 1e-9;
     attempt.step = {attempt.stretch * path_.preload_time, last ? 1 : progress.load_factor + attempt.stretch, false};
     attempt.target.pressure = attempt.step.load_factor * path_.initial_pressure;
+  } else if (path_.control == Control::release) {
+    attempt.step = {std::min(progress.dt, path_.duration - progress.state.time), 1, true};
+    attempt.target.pressure = path_.initial_pressure;
   } else {
     attempt.step = {progress.dt, 1, path_.inertia && path_.control != Control::pressure};
     attempt.target.volume_prescribed = path_.control == Control::volume;
@@ -96,8 +106,6 @@ bool PathFollower::advance(PathProgress &progress, const Observer &observe, cons
     return false;
   }
   const bool was_preload = preloading(progress);
-  for (std::size_t i = 0; i < state.velocity.size(); ++i)
-    state.velocity[i] = (state.displacement[i] - progress.state.displacement[i]) / attempt.step.dt;
   state.time += attempt.step.dt;
   progress.state = std::move(state);
   progress.load_factor = attempt.step.load_factor;
@@ -131,6 +139,8 @@ std::string PathFollower::end_reached(const PathProgress &progress) const
     return {};
   if (path_.control == Control::load)
     return "the full load is reached";
+  if (path_.control == Control::release)
+    return progress.state.time >= path_.duration * (1 - 1e-12) ? "path.duration is reached" : "";
   if (progress.volume >= path_.volume_max * reference_volume_)
     return "path.volume_max is reached";
   if (progress.pressure_peak >= path_.pressure_max)

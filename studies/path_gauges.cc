@@ -22,6 +22,8 @@ void ControlGauge::measure(const solver::PathPoint &point, const solver::Equilib
     row.emplace_back("control", volume_ratio(point));
   else if (control_ == solver::Control::load)
     row.emplace_back("control", progress.state.load_factor);
+  else if (control_ == solver::Control::release)
+    row.emplace_back("control", progress.state.time);
   else
     row.emplace_back("control", kPa_per_MPa * progress.state.pressure);
   row.emplace_back("load_factor", progress.state.load_factor);

@@ -86,8 +86,22 @@ void check_control(const Study &study, const TomlDocument &document)
 {
   if (study.cavities.size() > 1)
     throw document.error("cavity[1]", "a second cavity", "one cavity");
-  if (study.cavities.empty() && study.path.control != solver::Control::load)
-    throw document.error("path.control", "a control that needs a cavity", "load, or a block [[cavity]]");
+  if (study.cavities.empty() && solver::drives_cavity(study.path.control))
+    throw document.error("path.control", "a control that needs a cavity", "load | release, or a block [[cavity]]");
+}
+
+/// What a body that is let go cannot do.
+void check_release(const Study &study, const TomlDocument &document)
+{
+  if (study.path.control != solver::Control::release)
+    return;
+  if (!study.path.inertia)
+    throw document.error("path.inertia", "release without inertia", "true: a release is motion with mass");
+  for (std::size_t i = 0; i < study.supports.size(); ++i)
+    for (const auto &move : study.supports[i].move)
+      if (move && *move != 0)
+        throw document.error(element("support", i) + ".move", "a moved support under path.control = \"release\"",
+                             "supports at rest: they would have to jump");
 }
 
 void check_response(const solver::Response &r, const std::string &key, const Study &study, const TomlDocument &document)
@@ -173,6 +187,7 @@ void check_problem(const Study &study, const TomlDocument &document)
   check_bodies(study, document);
   check_names(study, mesh, document);
   check_control(study, document);
+  check_release(study, document);
   check_responses(study, document);
 }
 
@@ -184,8 +199,10 @@ void check_actuator(const Study &study, const TomlDocument &document)
   check_material(study.actuator.backbone_material, "actuator.backbone_material", study, document);
   if (study.method.model != ModelKind::fem)
     check_reduced(study, document); // before the checks of a mesh it needs not
-  if (!study.actuator.pebs.with_balloon && study.path.control != solver::Control::load)
-    throw document.error("path.control", "a control that needs a balloon", "load, or actuator.with_balloon = true");
+  check_release(study, document);
+  if (!study.actuator.pebs.with_balloon && solver::drives_cavity(study.path.control))
+    throw document.error("path.control", "a control that needs a balloon",
+                         "load | release, or actuator.with_balloon = true");
   report(geometry::check(study.actuator.pebs, study.mesh), document);
 }
 

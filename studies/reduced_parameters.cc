@@ -123,11 +123,13 @@ std::optional<UnknownToReduced> unknown_material(const Study &study)
 
 std::optional<UnknownToReduced> unknown_motion(const Study &study)
 {
-  if (study.path.control == solver::Control::load)
-    return UnknownToReduced{"path.control", "\"load\"", "volume | pressure | arc_length | ramp"};
-  if (study.path.control == solver::Control::ramp && !study.path.inertia)
+  const auto control = study.path.control;
+  if (control == solver::Control::load || control == solver::Control::release)
+    return UnknownToReduced{"path.control", control == solver::Control::load ? "\"load\"" : "\"release\"",
+                            "volume | pressure | arc_length | ramp"};
+  if (control == solver::Control::ramp && !study.path.inertia)
     return UnknownToReduced{"path.inertia", "a ramp without mass", "true"};
-  if (study.path.control == solver::Control::ramp && std::isinf(study.path.pressure_max))
+  if (control == solver::Control::ramp && std::isinf(study.path.pressure_max))
     return UnknownToReduced{"path.pressure_max", "a ramp without end", "a pressure"};
   return {};
 }

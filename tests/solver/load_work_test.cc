@@ -106,27 +106,3 @@ TEST_CASE("mass: all nodes positive, in sum density times volume")
   const double volume = M_PI / 6 * (64 - 27);
   CHECK(std::accumulate(mass.begin(), mass.end(), 0.) == Approx(1.2e-9 * volume).epsilon(1e-3));
 }
-
-TEST_CASE("inertia: forces are derivatives of the incremental potential and vanish for free flight")
-{
-  const std::vector<double> mass = {2, 0.5, 1};
-  InertiaWork work(mass);
-  State start;
-  start.displacement = random_field(9, 1, 1);
-  start.velocity = random_field(9, 3, 2);
-  work.begin_step(start, {.dt = 0.1, .load_factor = 1, .inertia = true});
-  const State flown = moved(start, start.velocity, 0.1);
-  CHECK(norm(residual(work, flown)) < 1e-12);
-  const State braked = moved(start, random_field(9, 1, 3), 1);
-  check_residual(work, braked);
-  check_tangent(work, braked, [&](const State &at) { return residual(work, at); });
-  CHECK(residual(work, start)[0] == Approx(-2 * start.velocity[0] / 0.1)); // m (v - v_n) / dt with v = 0
-
-  double kinetic = 0;
-  for (int i = 0; i < 9; ++i)
-    kinetic += mass[i / 3] * start.velocity[i] * start.velocity[i] / 2;
-  CHECK(work.kinetic_energy(start) == Approx(kinetic));
-  work.begin_step(start, {.dt = 0.1});
-  CHECK(norm(residual(work, braked)) == 0);
-  CHECK(work.energy(braked) == 0);
-}
