@@ -24,6 +24,8 @@ void for_each_scalar(Progress &p, const Visit &visit)
   visit("load_factor", p.state.load_factor);
   visit("stretch", p.stretch);
   visit("dt", p.dt);
+  visit("arc_length", p.arc_length);
+  visit("ceiling", p.ceiling);
   visit("volume", p.volume);
   visit("pressure_peak", p.pressure_peak);
 }

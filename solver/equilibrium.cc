@@ -91,12 +91,20 @@ std::vector<double> Equilibrium::total_mass() const
   return mass;
 }
 
+bool Equilibrium::moves_a_support() const
+{
+  return std::any_of(parameters_.supports.begin(), parameters_.supports.end(), [](const Support &support) {
+    return std::any_of(support.move.begin(), support.move.end(), [](const auto &way) { return way && *way != 0; });
+  });
+}
+
 void Equilibrium::release(State &state)
 {
   const Prescribed held = prescribed(1);
-  if (std::any_of(held.begin(), held.end(), [](double value) { return value != 0 && !std::isnan(value); }))
+  if (moves_a_support())
     throw std::invalid_argument("path.control = \"release\" lets go of a body at rest; it cannot move a support");
   const auto mass = total_mass();
+  state.load_factor = 1;
   for (auto *work : works_)
     work->begin_step(state, {.dt = infinity});
   const auto forces = newton_->forces(state);
@@ -120,6 +128,9 @@ Prescribed Equilibrium::prescribed(double load_factor) const
 
 NewtonSolver::Outcome Equilibrium::solve(State &state, const Step &step, const NewtonSolver::Target &target)
 {
+  if (target.what == NewtonSolver::Prescribe::arc_length && !cavity_ && moves_a_support())
+    throw std::invalid_argument("path.control = \"arc_length\" follows the load factor of loads; it cannot move a "
+                                "support (that is control = \"load\")");
   system_.prescribe(prescribed(step.load_factor));
   for (auto *work : works_)
     work->begin_step(state, step);
@@ -133,13 +144,13 @@ NewtonSolver::Outcome Equilibrium::solve(State &state, const Step &step, const N
   return outcome;
 }
 
-/// The tangent of a step that starts at `state`, there.
-void Equilibrium::factorise_tangent(const State &state, const Step &step)
+/// The tangent of a step of that length that starts at `state`, there.
+void Equilibrium::factorise_tangent(const State &state, double dt)
 {
-  system_.prescribe(prescribed(step.load_factor));
+  system_.prescribe(prescribed(state.load_factor));
   std::vector<std::vector<Node>> couplings;
   for (auto *work : works_) {
-    work->begin_step(state, step);
+    work->begin_step(state, {.dt = dt});
     work->begin_iteration(state, 0);
     work->add_couplings(couplings);
   }
@@ -153,7 +164,7 @@ std::vector<Mode> Equilibrium::modes(const State &state, const ModeRequest &requ
   if (request.volume_held && !cavity_)
     throw std::invalid_argument("modes at held volume need a cavity");
   const auto mass = total_mass();
-  factorise_tangent(state, {.dt = request.dt, .load_factor = request.load_factor});
+  factorise_tangent(state, request.dt);
   if (!request.volume_held)
     return lowest_modes(system_, mass, nullptr, request.count);
   Vec gradient = system_.create_vector();

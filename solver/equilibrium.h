@@ -62,7 +62,8 @@ private:
   void build_bodies();
   void build_loads(const std::vector<double> &mass);
   std::vector<double> total_mass() const;
-  void factorise_tangent(const State &state, const Step &step);
+  void factorise_tangent(const State &state, double dt);
+  bool moves_a_support() const;
   Prescribed prescribed(double load_factor) const;
 
   const Parameters &parameters_;

@@ -110,7 +110,8 @@ void FollowerLoad::residual(const State &state, Assembly &out) const
       const auto t = tangents(face, state, q);
       for (int d = 0; d < 3; ++d) {
         const int e = (d + 1) % 3, f = (d + 2) % 3;
-        const double force = state.load_factor * pressure_ * basis.weight[q] * (t.xi[e] * t.eta[f] - t.xi[f] * t.eta[e]);
+        const double force =
+            state.load_factor * pressure_ * basis.weight[q] * (t.xi[e] * t.eta[f] - t.xi[f] * t.eta[e]);
         for (int k = 0; k < n_face_nodes; ++k)
           r[3 * k + d] += basis.value[q][k] * force;
       }

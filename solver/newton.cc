@@ -454,6 +454,8 @@ NewtonSolver::Outcome NewtonSolver::solve(State &state, const Target &target)
 {
   impl_->state = &state;
   impl_->target = target;
+  if (!impl_->cavity && target.what == Prescribe::parameter)
+    impl_->target.parameter = state.load_factor; // the loads are what the state says
   impl_->outcome = {};
   impl_->watch = {};
   impl_->convex = false;

@@ -21,7 +21,7 @@ public:
   enum class Prescribe { parameter, volume, arc_length };
   struct Target {
     Prescribe what = Prescribe::parameter;
-    double parameter = 0;  ///< MPa or load factor
+    double parameter = 0;  ///< MPa, of the cavity; a load factor is prescribed by the state itself
     double volume = 0;     ///< mm^3
     double arc_length = 0; ///< mm, Euclidean norm over all free displacements
   };
@@ -31,7 +31,7 @@ public:
     std::vector<double> residuals; ///< relative, before each iteration and at the end
     int negative_pivots = 0;       ///< of the last tangent, load parameter held
     int factorisations = 0;
-    double volume = 0;             ///< mm^3
+    double volume = 0; ///< mm^3
     int iterations() const { return static_cast<int>(residuals.size()) - 1; }
   };
 

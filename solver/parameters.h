@@ -155,7 +155,11 @@ struct Response {
 
 enum class Control { volume, pressure, ramp, load, release, arc_length };
 /// Whether the control drives the volume or the pressure of a cavity.
-constexpr bool drives_cavity(Control control) { return control != Control::load && control != Control::release; }
+/// Whether only a cavity can be driven so.
+constexpr bool drives_cavity(Control control)
+{
+  return control == Control::volume || control == Control::pressure || control == Control::ramp;
+}
 
 enum class Integrator { by_control, backward_euler, generalised_alpha };
 
@@ -184,16 +188,18 @@ struct Path {
   template <class Self, class Visitor>
   static void fields(Self &self, Visitor &v)
   {
-    v.choice("control", self.control,
-             {{"volume", Control::volume},
-              {"pressure", Control::pressure},
-              {"ramp", Control::ramp},
-              {"load", Control::load},
-              {"release", Control::release},
-              {"arc_length", Control::arc_length}},
-             "what is prescribed: cavity volume, cavity pressure (quasi-static), pressure ramp in time (with inertia), "
-             "load factor (no cavity), or nothing: free motion in time after a body at rest is let go under gravity, "
-             "loads and initial_pressure");
+    v.choice(
+        "control", self.control,
+        {{"volume", Control::volume},
+         {"pressure", Control::pressure},
+         {"ramp", Control::ramp},
+         {"load", Control::load},
+         {"release", Control::release},
+         {"arc_length", Control::arc_length}},
+        "what is prescribed: cavity volume, cavity pressure (quasi-static), pressure ramp in time (with inertia), "
+        "load factor (no cavity), length along the path through its limit points (quasi-static; the cavity's "
+        "pressure or, without one, the load factor follows; for bodies without contact), or nothing: free motion in "
+        "time after a body at rest is let go under gravity, loads and initial_pressure");
     v.quantity("volume_rate", self.volume_rate, "1/s", 1e-6, 1e6, "growth of V / V0 per second of pseudo-time");
     v.quantity("volume_max", self.volume_max, "1", 1, 1e6, "the path ends at this V / V0");
     v.quantity("pressure_rate", self.pressure_rate, "MPa/s", 1e-9, 1e6,

@@ -16,6 +16,7 @@ State at_rest(const Mesh &mesh)
   State state;
   state.displacement.assign(3 * mesh.nodes.size(), 0.);
   state.velocity = state.displacement;
+  state.load_factor = 1;
   return state;
 }
 

@@ -62,7 +62,7 @@ TurnedBlocks::TurnedBlocks(double friction)
       upper_(discretization_, 1, make_material(rubber()), 0, true),
       contact_(mesh_, pair(friction), [](std::uint32_t) { return true; }),
       load_(discretization_, {"lower.x0", {0, 0, 0}, 0.05}), system_(discretization_),
-      newton_(system_, {&lower_, &upper_, &load_, &contact_}, nullptr, MPI_COMM_SELF,
+      newton_(system_, {&lower_, &upper_, &load_, &contact_}, {}, nullptr, MPI_COMM_SELF,
               {.tolerance = 1e-11, .force_floor = 1e-3})
 {
   state_.displacement.assign(3 * mesh_.nodes.size(), 0.);
