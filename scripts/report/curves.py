@@ -109,6 +109,8 @@ def _panels(history: History, columns: dict[str, str]) -> tuple:
 
 def path_axis(history: History) -> tuple[np.ndarray, str]:
     """What grows along the path, and its label."""
+    if history.has("control") and np.array_equal(history.numbers["control"], history.numbers.get("time_s", [])):
+        return history.numbers["time_s"], label("time_s")  # a body that is let go
     if history.has("volume_ratio"):
         ratio = history.numbers["volume_ratio"]
         if np.all(np.diff(ratio) >= 0) and ratio[-1] > ratio[0]:

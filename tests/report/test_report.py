@@ -22,8 +22,9 @@ sys.path[:0] = [str(HERE), str(HERE.parents[1] / "scripts")]
 
 from report import events, loop, models, picture, surface, units, viewer  # noqa: E402  (after the search path)
 from report.answer import headline  # noqa: E402
+from report.curves import path_axis  # noqa: E402
 from report.data import read_results  # noqa: E402
-from report.history import read_history  # noqa: E402
+from report.history import History, read_history  # noqa: E402
 from report.page import page  # noqa: E402
 from synthetic_results import STEPS, grid_faces, write_results  # noqa: E402
 
@@ -238,6 +239,17 @@ class Events(WithResults):
         self.assertEqual([name for name, _, _ in runs], ["separation", "insufficient", "sufficient", "excessive"])
         self.assertEqual((runs[0][1], runs[-1][2]), (0, STEPS - 1))
         self.assertEqual([e.name for e in events.events(history)].count("stability lost"), 1)
+
+
+class Axes(unittest.TestCase):
+    def test_a_free_motion_runs_in_time_a_driven_path_in_its_control(self):
+        time, steps = np.array([0.1, 0.3, 0.4]), np.arange(3.0)
+        released = History({"step": steps, "control": time, "time_s": time})
+        self.assertEqual(path_axis(released)[1], "time (s)")
+        np.testing.assert_array_equal(path_axis(released)[0], time)
+        driven = History({"step": steps, "control": 2 * time, "time_s": time})
+        self.assertEqual(path_axis(driven)[1], "step")
+        self.assertEqual(path_axis(History({"step": steps, "control": time}))[1], "step")
 
 
 class Shapes(WithResults):
