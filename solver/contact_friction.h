@@ -5,15 +5,20 @@
 namespace ballonet::solver::contact
 {
 
-/// A point that was in contact at the start of the step. It slides against the material point of the primary cell it
-/// touched then: z = sum weights * cell nodes, found by going from the closest point of the patch to x along the cell's
-/// own base vectors. So z = x at the start, and a rigid motion of the whole is no sliding.
+/// A material point: combination of the nodes that carry a patch.
+struct MaterialPoint {
+  std::uint32_t patch;
+  NodeWeights weights;
+};
+
+/// Two material points that were in contact at the start of the step: x of the secondary face and z of the primary
+/// cell, found by going from the core to x along the cell's own base vectors. So z = x at the start, and a rigid motion
+/// of the whole is no sliding. It does not matter which surface felt the contact.
 struct SlidingPoint {
-  std::uint32_t face, point, patch;
+  MaterialPoint secondary, primary;
   double limit; ///< Coulomb limit: friction coefficient times normal force at the start, N
   Point3 normal;
   Point3 offset; ///< x - z at the start; zero but for rounding
-  std::array<double, 27> weights;
 };
 
 SlidingPoint sliding_point(const ContactPairing &, const PairedPoint &, std::span<const double> displacement,

@@ -18,7 +18,7 @@ struct ContactOptions {
 struct ContactSummary {
   std::vector<Vector3> primary_force; ///< N, on each primary surface in the order of the pair's names
   Vector3 secondary_force = {};       ///< N, on the secondary surface
-  double area = 0;                    ///< mm^2 of reference area in contact
+  double area = 0;                    ///< mm^2 of reference area in contact; of two passes the mean
   double penetration = 0;             ///< mm, the largest
   std::size_t points = 0;             ///< quadrature points in contact
 
@@ -28,23 +28,25 @@ struct ContactSummary {
 /// One quadrature point in contact.
 struct ContactPoint {
   Face secondary, primary;
-  Vector3 position;   ///< mm, present
-  double area;        ///< mm^2, reference
+  Vector3 position;   ///< mm, present, on the secondary surface
+  double area;        ///< mm^2 of reference area the point stands for, half of it with two passes
   double pressure;    ///< MPa per reference area
   double penetration; ///< mm
 };
 
-/// Contact of the secondary surface's quadrature points with the primary surface moved back into its
-/// body by the pair's thickness: energy = area * law(thickness - distance), distance unsigned. Derivatives by the
-/// implicit function theorem, exact and symmetric. Coulomb friction with the normal force and the contact point of the
-/// step's start, as an incremental potential.
+/// Contact of the secondary surface with the primary surface moved back into its body by the pair's thickness: energy =
+/// sum of area * law(thickness - distance) over quadrature points, distance unsigned. With one pass the points are on
+/// the secondary surface and look for the closest point of the primary one; with two passes points of the primary
+/// surface look for the secondary one too, and each pass has half the area. Derivatives by the implicit function
+/// theorem, exact and symmetric. Coulomb friction with the normal force and the contact point of the step's start, as
+/// an incremental potential.
 ///
 /// The tangent's geometric part uses a stored contact pressure that follows the linear prediction of each increment
 /// (advance) instead of the one of the state, as in Magisano et al. (2017) for stresses: residual and energy are exact.
 class ContactWork : public VirtualWork
 {
 public:
-  /// `mesh` must outlive this. `owned`: cells whose secondary faces are this rank's.
+  /// `mesh` must outlive this. `owned`: cells whose points are this rank's.
   ContactWork(const Mesh &mesh, const ContactPair &pair, const std::function<bool(std::uint32_t cell)> &owned,
               const ContactOptions &options = {});
 
@@ -76,10 +78,9 @@ private:
   bool couplings_changed_ = false, convex_ = false;
   contact::FrictionLaw friction_law_ = {1};
   std::vector<contact::SlidingPoint> sliding_;
-  std::vector<double> stored_pressure_; ///< MPa, one per secondary point
+  std::vector<double> stored_pressure_; ///< MPa, one per point
 
   void search(const State &);
-  double area(const contact::PairedPoint &) const;
   template <class Visit>
   void for_each_touching(const State &, Visit visit) const;
   contact::Point3 friction_force(const contact::SlidingPoint &, const State &) const;

@@ -101,13 +101,13 @@ struct ContactPair {
   std::vector<std::string> secondary, primary;
   double friction = 0.3, thickness = 0.35, stiffness = 15, onset = 0.06, penetration_limit = 0.15;
   double slip_velocity = 3; // mm/s
-  int points_per_side = 5;
+  int points_per_side = 5, passes = 2;
   template <class Self, class Visitor>
   static void fields(Self &self, Visitor &v)
   {
     v.text("name", self.name, "how the pair is called in results");
-    v.names("secondary", self.secondary, "surfaces whose quadrature points feel the contact");
-    v.names("primary", self.primary, "surfaces they are kept out of");
+    v.names("secondary", self.secondary, "surfaces that keep out of the primary ones; their quadrature points feel it");
+    v.names("primary", self.primary, "surfaces that are moved back by the thickness; with two passes they feel it too");
     v.quantity("friction", self.friction, "1", 0, 10, "Coulomb coefficient");
     v.quantity("thickness", self.thickness, "mm", 0, 10,
                "how far the primary surface is moved back into its body; rounds its edges by the same radius");
@@ -118,6 +118,9 @@ struct ContactPair {
     v.count(
         "points_per_side", self.points_per_side, 2, 20,
         "contact points per side of a secondary face; their distance must stay below the thickness as it stretches");
+    v.count(
+        "passes", self.passes, 1, 2,
+        "2: points of the primary surface, edges and corners included, feel the secondary one too, half the area each");
     v.quantity("penetration_limit", self.penetration_limit, "mm", 0, 10, "a step that ends deeper is rejected");
   }
 };

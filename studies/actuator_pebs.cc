@@ -39,6 +39,7 @@ solver::ContactPair cage_contact(const ContactDefaults &contact)
   pair.thickness = contact.thickness;
   pair.onset = contact.onset;
   pair.points_per_side = contact.points_per_side;
+  pair.passes = contact.passes;
   pair.penetration_limit = contact.penetration_limit;
   return pair;
 }

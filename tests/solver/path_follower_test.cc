@@ -40,7 +40,7 @@ double largest_difference(const std::vector<double> &a, const std::vector<double
   return largest;
 }
 
-/// A thin bar above the middle of a coarse plate, driven down through it between the contact points.
+/// A thin bar above the middle of a coarse plate, driven down through it between the contact points of one pass.
 struct BarThroughPlate {
   Mesh mesh;
   Parameters parameters;
@@ -56,6 +56,7 @@ struct BarThroughPlate {
     parameters.bodies = {{"bar", "plastic"}, {"plate", "plastic"}};
     parameters.supports = {{"bar.z1", {"x", "y"}, {{{}, {}, -2.}}}, {"plate.x0", {"x", "y", "z"}}};
     parameters.contact_pairs = {{"bar in plate", {"plate.z1"}, all_sides("bar"), 0}};
+    parameters.contact_pairs[0].passes = 1;
     parameters.path.control = Control::load;
   }
 };

@@ -24,7 +24,7 @@ Mesh block_on_plate()
   return beside(box_mesh(3, 2, 1, block, "block", "block."), box_mesh(5, 3, 1, plate, "plate", "plate."));
 }
 
-Parameters pressed()
+Parameters pressed(int passes)
 {
   Parameters p;
   p.materials.resize(2);
@@ -36,12 +36,22 @@ Parameters pressed()
   p.loads = {{"block.z1", {0, 0, -pressure}, 0}};
   p.contact_pairs = {{"pair", {"block.z0"}, {"plate.z1"}, friction, 0.3, 20, 0.02}};
   p.contact_pairs[0].slip_velocity = slip_velocity;
+  p.contact_pairs[0].passes = passes;
   p.newton = {.tolerance = 1e-10, .force_floor = 1e-2};
   return p;
 }
 
 /// The tangential force on the plate against the block's motion, N.
 double drag(const StagedAssembly &assembly) { return -assembly.force_on("plate.z0")[0]; }
+
+/// Tolerances and words for one and two passes. With two passes points of the plate up to sqrt(2 d g) = 0.09 mm beyond
+/// the block's rim feel it, at an angle: 2 % of the width on each side.
+struct Passes {
+  int number;
+  const char *name;
+  double force_tolerance, creep_tolerance;
+};
+constexpr Passes one_and_two[] = {{1, "", 2e-4, 1e-4}, {2, ", two passes", 2e-3, 1e-3}};
 
 } // namespace
 
@@ -50,19 +60,25 @@ double drag(const StagedAssembly &assembly) { return -assembly.force_on("plate.z
 TEST_CASE("friction: a sliding block is held back by mu N")
 {
   const auto mesh = block_on_plate();
-  StagedAssembly assembly(mesh, pressed());
-  for (int i = 0; i < 3; ++i)
-    assembly.step(1);
-  const double speed = 100 * slip_velocity, dt = 0.25;
-  for (int i = 1; i <= 10; ++i) {
-    assembly.parameters.supports[1].move[0] = i * speed * dt;
-    assembly.step(dt);
+  for (const Passes &passes : one_and_two) {
+    StagedAssembly assembly(mesh, pressed(passes.number));
+    for (int i = 0; i < 3; ++i)
+      assembly.step(1);
+    const double speed = 100 * slip_velocity, dt = 0.25;
+    for (int i = 1; i <= 10; ++i) {
+      assembly.parameters.supports[1].move[0] = i * speed * dt;
+      assembly.step(dt);
+    }
+    const auto contact = assembly.equilibrium().contact(assembly.state)[0];
+    const std::string name = passes.name;
+    const char *coulomb = "Coulomb's law, mu N";
+    compare({"friction: normal force under a block" + name, "equilibrium", normal_force, contact.secondary_force[2],
+             1e-6, "N"});
+    compare({"friction: drag on the block after 2.5 mm of sliding" + name, coulomb, limit, drag(assembly),
+             passes.force_tolerance, "N"});
+    compare({"friction: force that pulls the block" + name, coulomb, limit, assembly.force_on("block.z1")[0],
+             passes.force_tolerance, "N"});
   }
-  const auto contact = assembly.equilibrium().contact(assembly.state)[0];
-  const char *coulomb = "Coulomb's law, mu N";
-  compare({"friction: normal force under a block", "equilibrium", normal_force, contact.secondary_force[2], 1e-6, "N"});
-  compare({"friction: drag on the block after 2.5 mm of sliding", coulomb, limit, drag(assembly), 2e-4, "N"});
-  compare({"friction: force that pulls the block", coulomb, limit, assembly.force_on("block.z1")[0], 2e-4, "N"});
 }
 
 // Below the limit the regularised law lets the block creep at v_s r / sqrt(1 - r^2), r = T / (mu N): slow beside every
@@ -71,18 +87,22 @@ TEST_CASE("friction: a sliding block is held back by mu N")
 TEST_CASE("friction: a block pulled by less than mu N sticks")
 {
   const auto mesh = block_on_plate();
-  StagedAssembly assembly(mesh, pressed());
-  for (int i = 0; i < 3; ++i)
-    assembly.step(1);
-  const double share = 0.5, dt = 5;
-  assembly.parameters.supports[1] = {"block.z1", {"y"}};
-  assembly.parameters.loads[0].traction[0] = share * limit / (width * width);
-  for (int i = 0; i < 8; ++i)
+  for (const Passes &passes : one_and_two) {
+    StagedAssembly assembly(mesh, pressed(passes.number));
+    for (int i = 0; i < 3; ++i)
+      assembly.step(1);
+    const double share = 0.5, dt = 5;
+    assembly.parameters.supports[1] = {"block.z1", {"y"}};
+    assembly.parameters.loads[0].traction[0] = share * limit / (width * width);
+    for (int i = 0; i < 8; ++i)
+      assembly.step(dt);
+    const double before = assembly.displacement_of("block.z0")[0];
     assembly.step(dt);
-  const double before = assembly.displacement_of("block.z0")[0];
-  assembly.step(dt);
-  const double creep = (assembly.displacement_of("block.z0")[0] - before) / dt;
-  compare({"friction: drag on a block pulled by mu N / 2", "equilibrium", share * limit, drag(assembly), 1e-6, "N"});
-  compare({"friction: creep of that block, slip velocity 0.01 mm/s", "regularised Coulomb law in closed form",
-           slip_velocity * share / std::sqrt(1 - share * share), creep, 1e-4, "mm/s"});
+    const double creep = (assembly.displacement_of("block.z0")[0] - before) / dt;
+    const std::string name = passes.name;
+    compare({"friction: drag on a block pulled by mu N / 2" + name, "equilibrium", share * limit, drag(assembly), 1e-6,
+             "N"});
+    compare({"friction: creep of that block, slip velocity 0.01 mm/s" + name, "regularised Coulomb law in closed form",
+             slip_velocity * share / std::sqrt(1 - share * share), creep, passes.creep_tolerance, "mm/s"});
+  }
 }

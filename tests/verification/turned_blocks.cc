@@ -25,10 +25,11 @@ Material rubber()
   return m;
 }
 
-ContactPair pair(double friction)
+ContactPair pair(double friction, int passes)
 {
   ContactPair p = {"pair", {"upper.z0"}, {"lower.z1"}, friction, 0.3, 10, 0.02};
   p.slip_velocity = 0.01;
+  p.passes = passes;
   return p;
 }
 
@@ -56,11 +57,11 @@ std::vector<double> rotated(const Matrix3 &R, const std::vector<double> &field)
   return result;
 }
 
-TurnedBlocks::TurnedBlocks(double friction)
+TurnedBlocks::TurnedBlocks(double friction, int passes)
     : mesh_(blocks()), discretization_(mesh_, MPI_COMM_SELF),
       lower_(discretization_, 0, make_material(rubber()), 0, true),
       upper_(discretization_, 1, make_material(rubber()), 0, true),
-      contact_(mesh_, pair(friction), [](std::uint32_t) { return true; }),
+      contact_(mesh_, pair(friction, passes), [](std::uint32_t) { return true; }),
       load_(discretization_, {"lower.x0", {0, 0, 0}, 0.05}), system_(discretization_),
       newton_(system_, {&lower_, &upper_, &load_, &contact_}, {}, nullptr, MPI_COMM_SELF,
               {.tolerance = 1e-11, .force_floor = 1e-3})
