@@ -39,6 +39,8 @@ void write_checkpoint(const std::string &file, const PathProgress &progress)
     out.write("displacement", progress.state.displacement, 3);
     out.write("velocity", progress.state.velocity, 3);
     out.write("acceleration", progress.state.acceleration, 3);
+    if (!progress.state.friction.empty())
+      out.write("friction", progress.state.friction, 3);
     for_each_scalar(progress, [&](const char *name, double value) { out.write_attribute("/", name, value); });
   }
   std::filesystem::rename(file + ".new", file);
@@ -55,6 +57,8 @@ bool read_checkpoint(const std::string &file, PathProgress &progress)
   progress.state.displacement = std::move(displacement);
   progress.state.velocity = std::move(velocity);
   progress.state.acceleration = in.read("acceleration");
+  if (!progress.state.friction.empty())
+    progress.state.friction = in.read("friction");
   for_each_scalar(progress, [&](const char *name, auto &value) { value = in.read_attribute("/", name); });
   return true;
 }

@@ -66,7 +66,9 @@ SlidingPoint sliding_point(const ContactPairing &pairing, const PairedPoint &pai
     std::swap(on_face, on_core);
   }
   const Point3 from_core = (felt_by_secondary ? 1 : -1) * closest.distance * closest.normal;
-  SlidingPoint p = {{face, node_weights(pairing.patches()[face], patch_shapes(on_face).value)},
+  SlidingPoint p = {paired.number,
+                    paired.area,
+                    {face, node_weights(pairing.patches()[face], patch_shapes(on_face).value)},
                     {core, touched_material(pairing.patches()[core], on_core, from_core, position)},
                     limit,
                     closest.normal,
@@ -81,23 +83,45 @@ Point3 slip(const SlidingPoint &p, const ContactPairing &pairing, std::span<cons
   return moved - (moved * p.normal) * p.normal;
 }
 
-double FrictionLaw::energy(double limit, const Point3 &slip) const
+Point3 into_plane(const Point3 &traction, const Point3 &normal)
 {
-  const double square = slip.norm_square();
-  return limit * square / (std::sqrt(square + sticking_slip * sticking_slip) + sticking_slip);
+  const Point3 tangential = traction - (traction * normal) * normal;
+  const double size = tangential.norm();
+  return size > 0 ? traction.norm() / size * tangential : Point3();
 }
 
-Point3 FrictionLaw::force(double limit, const Point3 &slip) const
+Point3 FrictionLaw::slip_of(const Point3 &share) const
 {
-  return limit / std::sqrt(slip.norm_square() + sticking_slip * sticking_slip) * slip;
+  constexpr double most = 0.995;
+  const double size = share.norm(), r = std::min(size, most);
+  return size > 0 ? elastic_slip * r / std::sqrt(1 - r * r) / size * share : Point3();
 }
 
-dealii::Tensor<2, 3> FrictionLaw::tangent(double limit, const Point3 &slip, const Point3 &normal) const
+double FrictionLaw::energy(const SlidingPoint &p, const Point3 &slip) const
 {
-  const double square = slip.norm_square() + sticking_slip * sticking_slip;
-  dealii::Tensor<2, 3> form = dealii::Tensor<2, 3>(dealii::unit_symmetric_tensor<3>());
-  form -= outer_product(normal, normal) + outer_product(slip, slip) / square;
-  return limit / std::sqrt(square) * form;
+  const double s = elastic_slip * elastic_slip;
+  return p.limit * (std::sqrt((p.elastic_slip + slip).norm_square() + s) - std::sqrt(p.elastic_slip.norm_square() + s) +
+                    slip.norm_square() / (2 * viscous_slip));
+}
+
+Point3 FrictionLaw::remembered_force(const SlidingPoint &p, const Point3 &slip) const
+{
+  const Point3 e = p.elastic_slip + slip;
+  return p.limit / std::sqrt(e.norm_square() + elastic_slip * elastic_slip) * e;
+}
+
+Point3 FrictionLaw::force(const SlidingPoint &p, const Point3 &slip) const
+{
+  return remembered_force(p, slip) + p.limit / viscous_slip * slip;
+}
+
+dealii::Tensor<2, 3> FrictionLaw::tangent(const SlidingPoint &p, const Point3 &slip) const
+{
+  const Point3 e = p.elastic_slip + slip;
+  const double square = e.norm_square() + elastic_slip * elastic_slip;
+  dealii::Tensor<2, 3> plane = dealii::Tensor<2, 3>(dealii::unit_symmetric_tensor<3>());
+  plane -= outer_product(p.normal, p.normal);
+  return p.limit / std::sqrt(square) * (plane - outer_product(e, e) / square) + p.limit / viscous_slip * plane;
 }
 
 } // namespace ballonet::solver::contact

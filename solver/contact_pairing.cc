@@ -31,19 +31,17 @@ void check_apart(const ContactPair &pair, const std::vector<Patch> &secondary, c
       throw std::invalid_argument("contact pair \"" + pair.name + "\": a cell is both secondary and primary");
 }
 
-/// Secondary and primary patches in one list; those of this rank get their points. Two passes share the area.
-std::vector<Patch> both_surfaces(const Mesh &mesh, const ContactPair &pair,
-                                 const std::function<bool(std::uint32_t)> &owned)
+/// Secondary and primary patches in one list with their points. Two passes share the area.
+std::vector<Patch> both_surfaces(const Mesh &mesh, const ContactPair &pair)
 {
   std::vector<Patch> patches = patches_of(mesh, pair.secondary, 0),
                      primary = patches_of(mesh, pair.primary, pair.thickness);
   check_apart(pair, patches, primary);
   for (Patch &patch : patches)
-    if (owned(patch.face.cell))
-      patch.points = gauss_points(mesh, patch, pair.points_per_side, 1. / pair.passes);
+    patch.points = gauss_points(mesh, patch, pair.points_per_side, 1. / pair.passes);
   const auto n_secondary = static_cast<std::uint32_t>(patches.size());
   for (Patch &patch : primary) {
-    if (pair.passes == 2 && owned(patch.face.cell))
+    if (pair.passes == 2)
       patch.points = points_with_edges(mesh, patch, pair.thickness / 2, 0.5);
     for (auto &neighbour : patch.neighbour)
       if (neighbour)
@@ -99,12 +97,17 @@ ContactPairing::ContactPairing(const Mesh &mesh, const ContactPair &pair,
     : mesh_(mesh), margin_(margin)
 {
   check(pair);
-  patches_ = both_surfaces(mesh, pair, owned);
+  patches_ = both_surfaces(mesh, pair);
   n_secondary_ = 0;
   for (std::uint32_t p = 0; p < patches_.size(); ++p) {
-    n_secondary_ += patches_[p].depth == 0;
-    largest_radius_ = std::max(largest_radius_, patches_[p].depth);
-    for (std::uint32_t q = 0; q < patches_[p].points.size(); ++q)
+    Patch &patch = patches_[p];
+    n_secondary_ += patch.depth == 0;
+    largest_radius_ = std::max(largest_radius_, patch.depth);
+    patch.first_point = n_points_of_all_ranks_;
+    n_points_of_all_ranks_ += patch.points.size();
+    if (!owned(patch.face.cell))
+      patch.points.clear();
+    for (std::uint32_t q = 0; q < patch.points.size(); ++q)
       points_.push_back({p, q});
   }
   pairings_.resize(points_.size());
@@ -117,7 +120,8 @@ PairedPoint ContactPairing::paired_point(std::uint32_t index, CurrentPatches &no
   const auto [own, point] = points_[index];
   const auto &[patch, xi] = pairings_[index];
   const auto &[own_xi, area] = patches_[own].points[point];
-  PairedPoint p = {own, own_xi, area, patch, interpolate(nodes[own], patch_shapes(own_xi).value), {}, 0};
+  const std::size_t number = patches_[own].first_point + point;
+  PairedPoint p = {own, own_xi, area, number, patch, interpolate(nodes[own], patch_shapes(own_xi).value), {}, 0};
   p.closest = closest_point(nodes[patch], patches_[patch].range, p.position, xi);
   p.penetration = radius(own, patch) - p.closest.distance;
   for (int k = 0; crossing_ && k < most_crossings && cross(p, nodes); ++k) {

@@ -15,6 +15,7 @@ struct PairedPoint {
   std::uint32_t own;   ///< the patch that the point is on
   Parameters2 own_xi;  ///< where
   double area;         ///< mm^2 at rest that it stands for
+  std::size_t number;  ///< among the points of all ranks
   std::uint32_t patch; ///< of the other surface
   Point3 position;
   ClosestPoint closest;
@@ -60,6 +61,7 @@ public:
   bool is_secondary(std::uint32_t patch) const { return patch < n_secondary_; }
   std::uint32_t n_secondary() const { return n_secondary_; }
   std::size_t n_points() const { return points_.size(); }
+  std::size_t n_points_of_all_ranks() const { return n_points_of_all_ranks_; }
   /// The distance at which contact between two patches begins, mm.
   double radius(std::uint32_t a, std::uint32_t b) const { return patches_[a].depth + patches_[b].depth; }
   double largest_radius() const { return largest_radius_; }
@@ -82,6 +84,7 @@ private:
   std::vector<Patch> patches_;
   std::uint32_t n_secondary_;
   std::vector<PointOnPatch> points_;
+  std::size_t n_points_of_all_ranks_ = 0;
   std::vector<Pairing> pairings_;     ///< one per point
   std::vector<std::uint32_t> paired_; ///< indices of the points that have a patch
   std::vector<std::array<std::uint32_t, 2>> couplings_;

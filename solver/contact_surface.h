@@ -85,6 +85,7 @@ struct Patch {
   /// The patches beyond the sides low 0, high 0, low 1, high 1 of the face, whether the surface goes on or turns there.
   std::array<std::optional<Neighbour>, 4> neighbour = {};
   std::vector<QuadraturePoint> points = {}; ///< none where the patch is only felt by others
+  std::size_t first_point = 0;              ///< number of its first point among those of all ranks
 
   std::size_t n_layers() const { return nodes.size() / 9; }
   /// Index into `nodes` of the node in a column, some layers deep.

@@ -40,7 +40,8 @@ ContactSummary &ContactSummary::operator+=(const ContactSummary &other)
 ContactWork::ContactWork(const Mesh &mesh, const ContactPair &pair,
                          const std::function<bool(std::uint32_t cell)> &owned, const ContactOptions &options)
     : pairing_(mesh, pair, owned, options.margin), law_{pair.stiffness, pair.onset}, options_(options),
-      friction_(pair.friction), slip_velocity_(pair.slip_velocity), n_primary_surfaces_(pair.primary.size()),
+      friction_(pair.friction), viscous_velocity_(pair.viscous_velocity),
+      n_primary_surfaces_(pair.primary.size()), friction_law_{pair.elastic_slip},
       stored_pressure_(pairing_.n_points(), 0.)
 {
 }
@@ -67,15 +68,40 @@ void ContactWork::begin_step(const State &start, const Step &step)
   pairing_.begin_step();
   search(start);
   couplings_changed_ = couplings_changed_ || had_couplings;
-  friction_law_.sticking_slip = std::max(slip_velocity_ * step.dt, 1e-6);
+  friction_law_.viscous_slip = viscous_velocity_ * step.dt;
   sliding_.clear();
   std::fill(stored_pressure_.begin(), stored_pressure_.end(), 0.);
   for_each_touching(start, [&](std::uint32_t index, const PairedPoint &p) {
     stored_pressure_[index] = law_.pressure(p.penetration);
-    const double limit = friction_ * p.area * stored_pressure_[index];
-    if (limit > 0)
-      sliding_.push_back(sliding_point(pairing_, p, start.displacement, limit));
+    if (friction_ * stored_pressure_[index] > 0)
+      sliding_.push_back(sliding_point_at(p, start));
   });
+}
+
+SlidingPoint ContactWork::sliding_point_at(const PairedPoint &p, const State &start) const
+{
+  const double strength = friction_ * law_.pressure(p.penetration);
+  SlidingPoint s = sliding_point(pairing_, p, start.displacement, p.area * strength);
+  Point3 traction;
+  if (const std::size_t at = 3 * (first_point_ + s.number); at < start.friction.size())
+    traction = Point3({start.friction[at], start.friction[at + 1], start.friction[at + 2]});
+  s.elastic_slip = friction_law_.slip_of(into_plane(traction, s.normal) / strength);
+  return s;
+}
+
+std::size_t ContactWork::number_points_from(std::size_t first)
+{
+  first_point_ = first;
+  return first + pairing_.n_points_of_all_ranks();
+}
+
+void ContactWork::end_step(State &end) const
+{
+  for (const SlidingPoint &s : sliding_) {
+    const Point3 traction = friction_law_.remembered_force(s, slip(s, pairing_, end.displacement)) / s.area;
+    for (int i = 0; i < 3; ++i)
+      end.friction[3 * (first_point_ + s.number) + i] = traction[i];
+  }
 }
 
 void ContactWork::begin_iteration(const State &state, int iteration)
@@ -98,7 +124,7 @@ void ContactWork::add_couplings(std::vector<std::vector<Node>> &sets) const
 
 Point3 ContactWork::friction_force(const SlidingPoint &s, const State &state) const
 {
-  return friction_law_.force(s.limit, slip(s, pairing_, state.displacement));
+  return friction_law_.force(s, slip(s, pairing_, state.displacement));
 }
 
 double ContactWork::energy(const State &state) const
@@ -106,7 +132,7 @@ double ContactWork::energy(const State &state) const
   double sum = 0;
   for_each_touching(state, [&](std::uint32_t, const PairedPoint &p) { sum += p.area * law_.energy(p.penetration); });
   for (const SlidingPoint &s : sliding_)
-    sum += friction_law_.energy(s.limit, slip(s, pairing_, state.displacement));
+    sum += friction_law_.energy(s, slip(s, pairing_, state.displacement));
   return sum;
 }
 
@@ -136,7 +162,7 @@ void ContactWork::tangent(const State &state, Assembly &assembly) const
   });
   std::vector<SlidingContact> sliding;
   for (const SlidingPoint &s : sliding_)
-    sliding.push_back({&s, friction_law_.tangent(s.limit, slip(s, pairing_, state.displacement), s.normal)});
+    sliding.push_back({&s, friction_law_.tangent(s, slip(s, pairing_, state.displacement))});
   add_contact_tangent(pairing_, normal, sliding, assembly);
 }
 

@@ -39,7 +39,7 @@ struct ContactPoint {
 /// the secondary surface and look for the closest point of the primary one; with two passes points of the primary
 /// surface look for the secondary one too, and each pass has half the area. Derivatives by the implicit function
 /// theorem, exact and symmetric. Coulomb friction with the normal force and the contact point of the step's start, as
-/// an incremental potential.
+/// an incremental potential; its tractions are part of the state.
 ///
 /// The tangent's geometric part uses a stored contact pressure that follows the linear prediction of each increment
 /// (advance) instead of the one of the state, as in Magisano et al. (2017) for stresses: residual and energy are exact.
@@ -63,6 +63,11 @@ public:
   void advance(const State &from, std::span<const double> increment, double fraction) override;
   double largest_step(const State &, std::span<const double> increment) const override;
 
+  /// Numbers the contact points of all ranks from here on in State::friction; returns where the next pair begins.
+  std::size_t number_points_from(std::size_t first);
+  /// Writes the tractions of friction at the end of a step, this rank's part, MPa.
+  void end_step(State &end) const;
+
   /// Forces and extent of the contact in a state, this rank's part. Friction is the one of the present step: ask before
   /// the next begin_step.
   ContactSummary summary(const State &) const;
@@ -73,16 +78,18 @@ private:
   contact::ContactPairing pairing_;
   ContactLaw law_;
   ContactOptions options_;
-  double friction_, slip_velocity_;
+  double friction_, viscous_velocity_;
+  std::size_t first_point_ = 0;
   std::size_t n_primary_surfaces_;
   bool couplings_changed_ = false, convex_ = false;
-  contact::FrictionLaw friction_law_ = {1};
+  contact::FrictionLaw friction_law_;
   std::vector<contact::SlidingPoint> sliding_;
   std::vector<double> stored_pressure_; ///< MPa, one per point
 
   void search(const State &);
   template <class Visit>
   void for_each_touching(const State &, Visit visit) const;
+  contact::SlidingPoint sliding_point_at(const contact::PairedPoint &, const State &start) const;
   contact::Point3 friction_force(const contact::SlidingPoint &, const State &) const;
 };
 

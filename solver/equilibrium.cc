@@ -2,6 +2,7 @@
 #include "solver/equilibrium.h"
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 #include <stdexcept>
 
 namespace ballonet::solver
@@ -28,6 +29,7 @@ Equilibrium::Equilibrium(const Parameters &parameters, const Mesh &mesh, MPI_Com
   for (const auto &pair : parameters.contact_pairs) {
     contacts_.push_back(
         std::make_unique<ContactWork>(mesh, pair, [this](std::uint32_t cell) { return discretization_.owns(cell); }));
+    n_contact_points_ = contacts_.back()->number_points_from(n_contact_points_);
     checks_.push_back(std::make_unique<PenetrationCheck>(mesh, pair, pair.penetration_limit));
   }
   if (parameters.cavity)
@@ -78,7 +80,7 @@ void Equilibrium::build_loads(const std::vector<double> &mass)
 State Equilibrium::initial_state() const
 {
   const std::vector<double> zeros(3 * discretization_.n_nodes());
-  return {zeros, zeros, zeros, 0, 0};
+  return {zeros, zeros, zeros, std::vector<double>(3 * n_contact_points_), 0, 0};
 }
 
 /// Nodal masses, t, summed over the ranks.
@@ -139,9 +141,41 @@ NewtonSolver::Outcome Equilibrium::solve(State &state, const Step &step, const N
   auto outcome = newton_->solve(end, target);
   if (outcome.converged) {
     inertia_->end_step(end);
+    remember_friction(end);
     state = std::move(end);
+  } else if (outcome.restless) {
+    outcome.reason += "; what moves most is " + place_of(*outcome.restless, end);
   }
   return outcome;
+}
+
+/// A node in words: where it is, in which body, on which surfaces of contact pairs.
+std::string Equilibrium::place_of(Node node, const State &state) const
+{
+  const Mesh &mesh = discretization_.mesh();
+  const auto cell = std::find_if(mesh.cells.begin(), mesh.cells.end(), [&](const auto &nodes) {
+    return std::find(nodes.begin(), nodes.end(), node) != nodes.end();
+  });
+  std::ostringstream text;
+  text.precision(4);
+  text << "body \"" << mesh.bodies[mesh.cell_body[cell - mesh.cells.begin()]] << "\" at (";
+  for (int d = 0; d < 3; ++d)
+    text << mesh.nodes[node][d] + state.displacement[3 * node + d] << (d < 2 ? ", " : ") mm, element ");
+  text << cell - mesh.cells.begin();
+  for (const auto &pair : parameters_.contact_pairs)
+    for (const auto *names : {&pair.secondary, &pair.primary})
+      for (const auto &name : *names)
+        if (const auto nodes = surface_nodes(mesh, name); std::find(nodes.begin(), nodes.end(), node) != nodes.end())
+          text << ", on \"" << name << "\" of contact pair \"" << pair.name << '"';
+  return text.str();
+}
+
+void Equilibrium::remember_friction(State &end) const
+{
+  end.friction.assign(3 * n_contact_points_, 0.);
+  for (const auto &contact : contacts_)
+    contact->end_step(end);
+  MPI_Allreduce(MPI_IN_PLACE, end.friction.data(), end.friction.size(), MPI_DOUBLE, MPI_SUM, comm_);
 }
 
 /// The tangent of a step of that length that starts at `state`, there.

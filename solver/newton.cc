@@ -391,6 +391,7 @@ void NewtonSolver::Implementation::update(Vec x, Vec y)
   if (watch.struggling() && fraction == 1) // else left alone: a perfect step of a nearly incompressible body raises it
     fraction = search(increment, -parameter_of(y));
   watch.taken(fraction);
+  outcome.restless = watch.largest() / 3;
   for (auto *work : works)
     work->advance(*state, increment, fraction);
   petsc(VecAXPY(x, -fraction, y));

@@ -2,6 +2,7 @@
 #pragma once
 #include "solver/cavity_work.h"
 #include "solver/linear_system.h"
+#include <optional>
 #include <string>
 
 namespace ballonet::solver
@@ -28,6 +29,7 @@ public:
   struct Outcome {
     bool converged = false;
     std::string reason;            ///< why not
+    std::optional<Node> restless;  ///< moved most in the last iteration
     std::vector<double> residuals; ///< relative, before each iteration and at the end
     int negative_pivots = 0;       ///< of the last tangent, load parameter held
     int factorisations = 0;

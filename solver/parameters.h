@@ -100,7 +100,8 @@ struct ContactPair {
   std::string name;
   std::vector<std::string> secondary, primary;
   double friction = 0.3, thickness = 0.35, stiffness = 15, onset = 0.06, penetration_limit = 0.15;
-  double slip_velocity = 3; // mm/s
+  double elastic_slip = 0.03;         // mm
+  double viscous_velocity = infinity; // mm/s
   int points_per_side = 5, passes = 2;
   template <class Self, class Visitor>
   static void fields(Self &self, Visitor &v)
@@ -113,8 +114,10 @@ struct ContactPair {
                "how far the primary surface is moved back into its body; rounds its edges by the same radius");
     v.quantity("stiffness", self.stiffness, "MPa/mm", 0, 1e6, "contact pressure per penetration");
     v.quantity("onset", self.onset, "mm", 0, 1, "penetration over which the stiffness grows from zero");
-    v.quantity("slip_velocity", self.slip_velocity, "mm/s", 1e-6, 1e6,
-               "sliding speed at which friction is regularised: below it the surfaces stick elastically");
+    v.quantity("elastic_slip", self.elastic_slip, "mm", 1e-9, 10,
+               "how far the surfaces give before they slide: friction builds up over it and is kept from step to step");
+    v.quantity("viscous_velocity", self.viscous_velocity, "mm/s", 1e-6, 1e9,
+               "sliding speed at which friction has doubled; without it friction does not depend on the speed");
     v.count(
         "points_per_side", self.points_per_side, 2, 20,
         "contact points per side of a secondary face; their distance must stay below the thickness as it stretches");
@@ -183,7 +186,8 @@ struct Path {
   Integrator integrator = Integrator::by_control;
   double spectral_radius = 0.8;
   double duration = 1;                                          // s
-  double step_initial = 2e-3, step_min = 1e-5, step_max = 4e-2; // s (fraction of the run under `load`)
+  double step_initial = 2e-3, step_min = 1e-5, step_max = 4e-2; // s
+  double arc_step_max = infinity;                               // mm
   int max_steps = 1000;
   int max_setbacks = 24;
   double time_limit = infinity; // s of wall time
@@ -227,6 +231,8 @@ struct Path {
     v.quantity("step_initial", self.step_initial, "s", 1e-9, 1e3, "first time step after the preload");
     v.quantity("step_min", self.step_min, "s", 1e-12, 1e3, "smallest time step; below it the path has diverged");
     v.quantity("step_max", self.step_max, "s", 1e-9, 1e9, "largest time step");
+    v.quantity("arc_step_max", self.arc_step_max, "mm", 1e-9, 1e9,
+               "largest step under arc_length: root mean square of the nodes' displacements in it");
     v.count("max_steps", self.max_steps, 1, 1000000, "the path ends after so many steps");
     v.count("max_setbacks", self.max_setbacks, 1, 1000000,
             "the path has come to a standstill when twice the rejected attempts exceed the steps by more than this");

@@ -111,7 +111,9 @@ PenetrationCheck::PenetrationCheck(const Mesh &mesh, const ContactPair &pair, do
       primary_cells_.push_back(c);
   // what closes an open surface at rest (the base under a clamped ring) is not beyond it
   overhang_.assign(primary_nodes_.size(), 0);
-  for (const Violation &v : find({std::vector<double>(3 * mesh.nodes.size()), {}, {}, 0, 0})) {
+  State rest;
+  rest.displacement.resize(3 * mesh.nodes.size());
+  for (const Violation &v : find(rest)) {
     std::erase(primary_nodes_, v.node);
     std::erase(secondary_nodes_, v.node);
   }

@@ -101,6 +101,8 @@ void StepPlan::lengthen(PathProgress &progress, const Attempt &taken, int factor
     const auto &v = progress.state.velocity;
     progress.arc_length = taken.step.dt * std::sqrt(std::inner_product(v.begin(), v.end(), v.begin(), 0.));
   }
+  const double n_nodes = progress.state.displacement.size() / 3;
+  progress.arc_length = std::min(progress.arc_length, path_.arc_step_max * std::sqrt(n_nodes));
 }
 
 bool StepPlan::shorten(PathProgress &progress, const Attempt &rejected) const

@@ -80,8 +80,13 @@ void check_scene(const ContactScene &scene)
   check_derivatives(smooth, scene.state);
   check_symmetry(assembled(smooth, scene.state));
 
-  ContactWork rough(scene.mesh, scene.pair, all_owned); // slid by about the sticking slip, with another stored pressure
-  rough.begin_step(scene.state, {.dt = 3e-3});
+  // slid by about the elastic slip after it has stuck, with another stored pressure
+  pair = scene.pair;
+  pair.elastic_slip = 9e-3, pair.viscous_velocity = 30;
+  ContactWork rough(scene.mesh, pair, all_owned);
+  State stuck = scene.state;
+  stuck.friction = random_field(3 * rough.number_points_from(0), 0.2, 9);
+  rough.begin_step(stuck, {.dt = 3e-3});
   const State slid = moved(scene.state, random_field(scene.state.displacement.size(), 0.02, 5), 1);
   const std::vector<double> none(slid.displacement.size(), 0.);
   rough.advance(slid, none, 1);

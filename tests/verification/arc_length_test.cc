@@ -27,6 +27,7 @@ struct Sphere {
     parameters.newton.force_floor = 1e-3;
     parameters.path.control = Control::arc_length;
     parameters.path.inertia = false;
+    parameters.path.arc_step_max = 0.05;
   }
 
   /// (r / A)^3 of the inner wall where it meets the x axis.

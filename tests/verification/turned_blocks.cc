@@ -28,7 +28,7 @@ Material rubber()
 ContactPair pair(double friction, int passes)
 {
   ContactPair p = {"pair", {"upper.z0"}, {"lower.z1"}, friction, 0.3, 10, 0.02};
-  p.slip_velocity = 0.01;
+  p.elastic_slip = 1e-3;
   p.passes = passes;
   return p;
 }
@@ -67,6 +67,7 @@ TurnedBlocks::TurnedBlocks(double friction, int passes)
               {.tolerance = 1e-11, .force_floor = 1e-3})
 {
   state_.displacement.assign(3 * mesh_.nodes.size(), 0.);
+  state_.friction.assign(3 * contact_.number_points_from(0), 0.);
 }
 
 void TurnedBlocks::turn_rigidly(double angle)
@@ -103,6 +104,8 @@ void TurnedBlocks::step(double dt, const Vector3 &way, double load_factor, doubl
   const auto outcome = newton_.solve(state_, {});
   INFO(outcome.reason << ", last residual " << outcome.residuals.back());
   REQUIRE(outcome.converged);
+  state_.friction.assign(state_.friction.size(), 0.);
+  contact_.end_step(state_);
 }
 
 } // namespace ballonet::tests
