@@ -1,35 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "solver/elastic_work.h"
-#include "solver/cell_stiffness.h"
 #include "solver/dense.h"
 #include <algorithm>
 
 namespace ballonet::solver
 {
-
-/// R_p = int N (J - 1 - p / kappa), M = int N N^T / kappa, L = d R_p / d u of one cell.
-struct ElasticWork::PressureSystem {
-  std::array<double, n_pressures> residual{};
-  std::array<double, n_pressures * n_pressures> mass{};
-  std::array<double, n_pressures * n_cell_values> coupling{};
-
-  /// M^-1 (R_p + L du): the pressure increment that belongs to du.
-  std::array<double, n_pressures> increment(const CellVector *du) const
-  {
-    auto rhs = residual;
-    if (du)
-      for (int i = 0; i < n_pressures; ++i)
-        for (int j = 0; j < n_cell_values; ++j)
-          rhs[i] += coupling[i * n_cell_values + j] * (*du)[j];
-    auto inverse = mass;
-    invert_spd(n_pressures, inverse.data());
-    std::array<double, n_pressures> p{};
-    for (int i = 0; i < n_pressures; ++i)
-      for (int j = 0; j < n_pressures; ++j)
-        p[i] += inverse[i * n_pressures + j] * rhs[j];
-    return p;
-  }
-};
 
 ElasticWork::ElasticWork(const Discretization &discretization, std::uint32_t body, std::unique_ptr<MaterialLaw> law,
                          double relaxation_time, bool mixed)
@@ -51,7 +26,20 @@ ElasticWork::ElasticWork(const Discretization &discretization, std::uint32_t bod
         cell.pressure_shape[q] = {1, scale * (X[0] - centre[0] / volume), scale * (X[1] - centre[1] / volume),
                                   scale * (X[2] - centre[2] / volume)};
       }
+      if (mixed)
+        invert_mass(cell);
     }
+}
+
+void ElasticWork::invert_mass(Cell &cell) const
+{
+  cell.inverse_mass = {};
+  for (int q = 0; q < n_points; ++q)
+    for (int i = 0; i < n_pressures; ++i)
+      for (int j = 0; j < n_pressures; ++j)
+        cell.inverse_mass[n_pressures * i + j] +=
+            cell.quadrature.weight[q] / law_->bulk_modulus() * cell.pressure_shape[q][i] * cell.pressure_shape[q][j];
+  invert_spd(n_pressures, cell.inverse_mass.data());
 }
 
 CellVector ElasticWork::local(const Cell &cell, std::span<const double> field) const
@@ -63,10 +51,7 @@ MaterialLaw::Point ElasticWork::material(const Cell &cell, int q, const Voigt &C
 {
   auto point = mixed_ ? law_->evaluate_isochoric(C) : law_->evaluate(C);
   if (mixed_) {
-    double pressure = 0;
-    for (int i = 0; i < n_pressures; ++i)
-      pressure += cell.pressure_shape[q][i] * cell.pressure[i];
-    const double J = std::sqrt(determinant(C));
+    const double pressure = pressure_at(cell, q, cell.pressure), J = std::sqrt(determinant(C));
     const Voigt A = inverse(C);
     point.energy += pressure * (J - 1) - pressure * pressure / (2 * law_->bulk_modulus());
     for (int i = 0; i < 6; ++i)
@@ -90,41 +75,56 @@ MaterialLaw::Point ElasticWork::material(const Cell &cell, int q, const Voigt &C
   return point;
 }
 
-ElasticWork::PressureSystem ElasticWork::pressure_system(const Cell &cell, const CellVector &u) const
+double ElasticWork::pressure_at(const Cell &cell, int q, const Pressures &p)
 {
-  PressureSystem system;
+  const auto &N = cell.pressure_shape[q];
+  return N[0] * p[0] + N[1] * p[1] + N[2] * p[2] + N[3] * p[3];
+}
+
+Voigt ElasticWork::stress_of(double pressure, const Voigt &C)
+{
+  const double J = std::sqrt(determinant(C));
+  Voigt S = inverse(C);
+  for (double &value : S)
+    value *= pressure * J;
+  return S;
+}
+
+ElasticWork::Pressures ElasticWork::pressure_increment(const Cell &cell, const CellVector &u,
+                                                       const CellVector *du) const
+{
+  Pressures rhs{}, increment{};
   for (int q = 0; q < n_points; ++q) {
     const auto &G = cell.quadrature.gradient[q];
     const Matrix3 F = deformation_gradient(G, u);
-    const double w = cell.quadrature.weight[q], J = determinant(F);
-    const auto &N = cell.pressure_shape[q];
-    double pressure = 0;
+    double miss = determinant(F) - 1 - pressure_at(cell, q, cell.pressure) / law_->bulk_modulus();
+    if (du)
+      miss += dot(cofactor(F), gradient(G, *du));
     for (int i = 0; i < n_pressures; ++i)
-      pressure += N[i] * cell.pressure[i];
-    const Matrix3 cofactor = {F[4] * F[8] - F[5] * F[7], F[5] * F[6] - F[3] * F[8], F[3] * F[7] - F[4] * F[6],
-                              F[2] * F[7] - F[1] * F[8], F[0] * F[8] - F[2] * F[6], F[1] * F[6] - F[0] * F[7],
-                              F[1] * F[5] - F[2] * F[4], F[2] * F[3] - F[0] * F[5], F[0] * F[4] - F[1] * F[3]};
-    for (int i = 0; i < n_pressures; ++i) {
-      system.residual[i] += w * N[i] * (J - 1 - pressure / law_->bulk_modulus());
-      for (int j = 0; j < n_pressures; ++j)
-        system.mass[n_pressures * i + j] += w * N[i] * N[j] / law_->bulk_modulus();
-    }
+      rhs[i] += cell.quadrature.weight[q] * cell.pressure_shape[q][i] * miss;
+  }
+  for (int i = 0; i < n_pressures; ++i)
+    for (int j = 0; j < n_pressures; ++j)
+      increment[i] += cell.inverse_mass[n_pressures * i + j] * rhs[j];
+  return increment;
+}
+
+void ElasticWork::add_condensed_pressures(const Cell &cell, const CellVector &u, CellMatrix &K) const
+{
+  std::array<double, n_pressures * n_cell_values> L{}, ML{};
+  for (int q = 0; q < n_points; ++q) {
+    const auto &G = cell.quadrature.gradient[q];
+    const Matrix3 c = cofactor(deformation_gradient(G, u));
     CellVector dJ;
     for (int a = 0; a < n_cell_nodes; ++a)
       for (int m = 0; m < 3; ++m)
-        dJ[3 * a + m] = cofactor[3 * m] * G[a][0] + cofactor[3 * m + 1] * G[a][1] + cofactor[3 * m + 2] * G[a][2];
+        dJ[3 * a + m] = c[3 * m] * G[a][0] + c[3 * m + 1] * G[a][1] + c[3 * m + 2] * G[a][2];
     for (int i = 0; i < n_pressures; ++i)
       for (int j = 0; j < n_cell_values; ++j)
-        system.coupling[i * n_cell_values + j] += w * N[i] * dJ[j];
+        L[i * n_cell_values + j] += cell.quadrature.weight[q] * cell.pressure_shape[q][i] * dJ[j];
   }
-  return system;
-}
-
-void ElasticWork::solve_pressures(Cell &cell, const CellVector &u) const
-{
-  const auto increment = pressure_system(cell, u).increment(nullptr);
-  for (int i = 0; i < n_pressures; ++i)
-    cell.pressure[i] += increment[i];
+  add_transposed_product(n_pressures, n_cell_values, n_pressures, cell.inverse_mass.data(), L.data(), ML.data());
+  add_transposed_product(n_cell_values, n_cell_values, n_pressures, L.data(), ML.data(), K.data());
 }
 
 void ElasticWork::begin_step(const State &start, const Step &step)
@@ -132,8 +132,11 @@ void ElasticWork::begin_step(const State &start, const Step &step)
   viscosity_ = 2 * law_->shear_modulus() * relaxation_time_ / step.dt;
   for (auto &cell : cells_) {
     const auto u = local(cell, start.displacement);
-    if (mixed_)
-      solve_pressures(cell, u);
+    if (mixed_) {
+      const auto increment = pressure_increment(cell, u);
+      for (int i = 0; i < n_pressures; ++i)
+        cell.pressure[i] += increment[i];
+    }
     for (int q = 0; q < n_points; ++q) {
       const Voigt C = right_cauchy_green(deformation_gradient(cell.quadrature.gradient[q], u));
       cell.start_strain[q] = green_strain(C);
@@ -180,11 +183,15 @@ void ElasticWork::residual(const State &state, Assembly &out) const
 {
   for (const auto &cell : cells_) {
     const auto u = local(cell, state.displacement);
+    const Pressures condensed = mixed_ ? pressure_increment(cell, u) : Pressures{}; // R_u + L^T M^-1 R_p
     CellVector r{};
     for (int q = 0; q < n_points; ++q) {
       const auto &G = cell.quadrature.gradient[q];
       const Matrix3 F = deformation_gradient(G, u);
-      const Voigt S = material(cell, q, right_cauchy_green(F)).stress;
+      const Voigt C = right_cauchy_green(F), Sp = stress_of(pressure_at(cell, q, condensed), C);
+      Voigt S = material(cell, q, C).stress;
+      for (int i = 0; i < 6; ++i)
+        S[i] += Sp[i];
       Matrix3 P{};
       for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j)
@@ -193,13 +200,6 @@ void ElasticWork::residual(const State &state, Assembly &out) const
       for (int a = 0; a < n_cell_nodes; ++a)
         for (int i = 0; i < 3; ++i)
           r[3 * a + i] += P[3 * i] * G[a][0] + P[3 * i + 1] * G[a][1] + P[3 * i + 2] * G[a][2];
-    }
-    if (mixed_) { // condensed: R_u + L^T M^-1 R_p
-      const auto system = pressure_system(cell, u);
-      const auto increment = system.increment(nullptr);
-      for (int i = 0; i < n_pressures; ++i)
-        for (int j = 0; j < n_cell_values; ++j)
-          r[j] += system.coupling[i * n_cell_values + j] * increment[i];
     }
     out.add_residual(discretization_.mesh().cells[cell.index], r);
   }
@@ -218,14 +218,8 @@ void ElasticWork::tangent(const State &state, Assembly &out) const
       stiffness.set_point(q, cell.quadrature.weight[q], G, first_elasticity_tensor(F, cell.stress[q], tangent));
     }
     stiffness.sum(K);
-    if (mixed_) { // + L^T M^-1 L
-      auto system = pressure_system(cell, u);
-      invert_spd(n_pressures, system.mass.data());
-      std::array<double, n_pressures * n_cell_values> ML{};
-      add_transposed_product(n_pressures, n_cell_values, n_pressures, system.mass.data(), system.coupling.data(),
-                             ML.data());
-      add_transposed_product(n_cell_values, n_cell_values, n_pressures, system.coupling.data(), ML.data(), K.data());
-    }
+    if (mixed_)
+      add_condensed_pressures(cell, u, K);
     out.add_tangent(discretization_.mesh().cells[cell.index], K);
   }
 }
@@ -234,23 +228,16 @@ void ElasticWork::advance(const State &from, std::span<const double> increment, 
 {
   for (auto &cell : cells_) {
     const auto u = local(cell, from.displacement), du = local(cell, increment);
-    std::array<double, n_pressures> dp{};
-    if (mixed_)
-      dp = pressure_system(cell, u).increment(&du);
+    const Pressures dp = mixed_ ? pressure_increment(cell, u, &du) : Pressures{};
     for (int q = 0; q < n_points; ++q) {
       const auto &G = cell.quadrature.gradient[q];
       const Matrix3 F = deformation_gradient(G, u);
       const Voigt C = right_cauchy_green(F);
       const auto point = material(cell, q, C);
       const Voigt dS = multiply(point.tangent, strain_increment(F, gradient(G, du)));
-      const double J = std::sqrt(determinant(C));
-      const Voigt A = inverse(C);
-      for (int i = 0; i < 6; ++i) {
-        double change = point.stress[i] + dS[i] - cell.stress[q][i];
-        for (int k = 0; k < n_pressures; ++k)
-          change += J * A[i] * cell.pressure_shape[q][k] * dp[k];
-        cell.stress[q][i] += fraction * change;
-      }
+      const Voigt Sp = stress_of(pressure_at(cell, q, dp), C);
+      for (int i = 0; i < 6; ++i)
+        cell.stress[q][i] += fraction * (point.stress[i] + dS[i] + Sp[i] - cell.stress[q][i]);
     }
     for (int i = 0; i < n_pressures; ++i)
       cell.pressure[i] += fraction * dp[i];
