@@ -182,6 +182,19 @@ TEST_CASE("a problem without cavity needs load control, a file has to be a mesh"
       Catch::Contains("[[cavity]]"));
 }
 
+TEST_CASE("a problem that is let go needs no cavity, and its supports rest")
+{
+  const ballonet::tests::Folder folder("released");
+  ballonet::tests::write_bar(folder.path / "bar.msh", 4);
+  const std::string file = (folder.path / "study.toml").string(), text = ballonet::tests::bar_study;
+  REQUIRE_NOTHROW(StudyFile(file, text, {{"path.control", "release"}}));
+  const auto support = text.find("fix = ");
+  const std::string moved = text.substr(0, support) + "move = {x = \"1 mm\"}\n" + text.substr(support);
+  REQUIRE_NOTHROW(StudyFile(file, moved));
+  REQUIRE_THROWS_WITH(StudyFile(file, moved, {{"path.control", "release"}}),
+                      Catch::Contains("support[0].move") && Catch::Contains("release"));
+}
+
 TEST_CASE("contradictions of a search are refused at their key")
 {
   struct Row {

@@ -33,6 +33,12 @@ const std::vector<WrongStudy> wrong_studies = {
     {"missing file",
      "[actuator]\nkind = \"mesh\"\nfile = \"nowhere.msh\"\n",
      {"study.toml:3:", "actuator.file", "nowhere.msh", "does not exist"}},
+    {"release without mass",
+     "[path]\ncontrol = \"release\"\ninertia = false\n",
+     {"study.toml:3:", "path.inertia", "release"}},
+    {"unknown integrator",
+     "[path]\nintegrator = \"newmark\"\n",
+     {"study.toml:2:", "path.integrator", "newmark", "generalised_alpha"}},
     {"unknown algorithm",
      "[[variable]]\nkey = \"contact.friction\"\nmin = 0.1\nmax = 0.2\n[method]\nkind = \"optimize\"\n"
      "algorithm = \"LN_COBYLLA\"\n[objective]\nresponse = \"window_angle_deg\"\n",

@@ -48,6 +48,17 @@ solver::Mesh quarter_tube(double inner, double outer, double length, int through
   return mesh;
 }
 
+solver::Mesh whole_tube(double inner, double outer, double length, int through, int around, int along, double pitch)
+{
+  const auto map = [&](Point3 p) {
+    const double r = inner + (outer - inner) * p[0], z = length * p[2], angle = 2 * M_PI * p[1] + pitch * z;
+    return Point3{r * std::cos(angle), r * std::sin(angle), z};
+  };
+  auto mesh = box_mesh(through, around, along, map);
+  name_surfaces(mesh, {"inner", "outer", "", "", "z0", "z1"});
+  return merged(mesh);
+}
+
 solver::Mesh eighth_sphere(double inner, double outer, int through, int around)
 {
   auto mesh = sphere_block(0, inner, outer, through, around);

@@ -11,6 +11,10 @@ namespace ballonet::tests
 solver::Mesh quarter_tube(double inner, double outer, double length, int through, int around, int along,
                           const std::string &body = "body", const std::string &prefix = "");
 
+/// A whole tube along z, with its mesh lines along helices that turn by `pitch` rad/mm; surfaces z0, z1, inner, outer.
+solver::Mesh whole_tube(double inner, double outer, double length, int through, int around, int along,
+                        double pitch = 0);
+
 /// An eighth (x, y, z >= 0) of a hollow sphere: three blocks of around x around x through cells; surfaces x0, y0, z0
 /// (symmetry planes), inner, outer.
 solver::Mesh eighth_sphere(double inner, double outer, int through, int around);
