@@ -51,6 +51,18 @@ Point3 separation(const SlidingPoint &p, const ContactPairing &pairing, const Cu
   return at(p.secondary) - at(p.primary);
 }
 
+/// Orthonormal axes as columns: along the first parameter of the point's patch, in the patch, normal to it.
+dealii::Tensor<2, 3> axes_at(const PairedPoint &p, const ContactPairing &pairing, const CurrentPosition &position)
+{
+  const auto tangent = patch_point(at_depth(pairing.patches()[p.own], position), p.own_xi).tangent;
+  const Point3 first = tangent[0] / tangent[0].norm(), normal = cross_product_3d(tangent[0], tangent[1]);
+  const Point3 third = normal / normal.norm(), second = cross_product_3d(third, first);
+  dealii::Tensor<2, 3> axes;
+  for (int i = 0; i < 3; ++i)
+    axes[i] = Point3({first[i], second[i], third[i]});
+  return axes;
+}
+
 } // namespace
 
 SlidingPoint sliding_point(const ContactPairing &pairing, const PairedPoint &paired,
@@ -66,15 +78,20 @@ SlidingPoint sliding_point(const ContactPairing &pairing, const PairedPoint &pai
     std::swap(on_face, on_core);
   }
   const Point3 from_core = (felt_by_secondary ? 1 : -1) * closest.distance * closest.normal;
-  SlidingPoint p = {paired.number,
-                    paired.area,
+  SlidingPoint p = {paired,
                     {face, node_weights(pairing.patches()[face], patch_shapes(on_face).value)},
                     {core, touched_material(pairing.patches()[core], on_core, from_core, position)},
                     limit,
                     closest.normal,
                     {}};
   p.offset = separation(p, pairing, position);
+  p.axes = axes_at(paired, pairing, position);
   return p;
+}
+
+dealii::Tensor<2, 3> turn(const SlidingPoint &p, const ContactPairing &pairing, std::span<const double> displacement)
+{
+  return axes_at(p.contact, pairing, {pairing.mesh(), displacement}) * transpose(p.axes);
 }
 
 Point3 slip(const SlidingPoint &p, const ContactPairing &pairing, std::span<const double> displacement)

@@ -15,17 +15,20 @@ struct MaterialPoint {
 /// cell, found by going from the core to x along the cell's own base vectors. So z = x at the start, and a rigid motion
 /// of the whole is no sliding. It does not matter which surface felt the contact.
 struct SlidingPoint {
-  std::size_t number; ///< of the contact point
-  double area;        ///< mm^2
+  PairedPoint contact;
   MaterialPoint secondary, primary;
   double limit; ///< Coulomb limit: friction coefficient times normal force at the start, N
   Point3 normal;
-  Point3 offset;            ///< x - z at the start; zero but for rounding
-  Point3 elastic_slip = {}; ///< at the start, mm
+  Point3 offset;                  ///< x - z at the start; zero but for rounding
+  dealii::Tensor<2, 3> axes = {}; ///< carried by the surface that has the contact point, at the start; columns
+  Point3 elastic_slip = {};       ///< at the start, mm
 };
 
 SlidingPoint sliding_point(const ContactPairing &, const PairedPoint &, std::span<const double> displacement,
                            double limit);
+
+/// How the surface that has the contact point has turned there since the start of the step.
+dealii::Tensor<2, 3> turn(const SlidingPoint &, const ContactPairing &, std::span<const double> displacement);
 
 /// x - z projected on the plane of contact, mm.
 Point3 slip(const SlidingPoint &, const ContactPairing &, std::span<const double> displacement);

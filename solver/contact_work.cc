@@ -83,7 +83,7 @@ SlidingPoint ContactWork::sliding_point_at(const PairedPoint &p, const State &st
   const double strength = friction_ * law_.pressure(p.penetration);
   SlidingPoint s = sliding_point(pairing_, p, start.displacement, p.area * strength);
   Point3 traction;
-  if (const std::size_t at = 3 * (first_point_ + s.number); at < start.friction.size())
+  if (const std::size_t at = 3 * (first_point_ + p.number); at < start.friction.size())
     traction = Point3({start.friction[at], start.friction[at + 1], start.friction[at + 2]});
   s.elastic_slip = friction_law_.slip_of(into_plane(traction, s.normal) / strength);
   return s;
@@ -97,10 +97,11 @@ std::size_t ContactWork::number_points_from(std::size_t first)
 
 void ContactWork::end_step(State &end) const
 {
-  for (const SlidingPoint &s : sliding_) {
-    const Point3 traction = friction_law_.remembered_force(s, slip(s, pairing_, end.displacement)) / s.area;
+  for (SlidingPoint s : sliding_) {
+    s.elastic_slip = turn(s, pairing_, end.displacement) * s.elastic_slip;
+    const Point3 traction = friction_law_.remembered_force(s, slip(s, pairing_, end.displacement)) / s.contact.area;
     for (int i = 0; i < 3; ++i)
-      end.friction[3 * (first_point_ + s.number) + i] = traction[i];
+      end.friction[3 * (first_point_ + s.contact.number) + i] = traction[i];
   }
 }
 

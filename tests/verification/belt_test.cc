@@ -12,7 +12,7 @@ namespace
 {
 
 constexpr double radius = 10, thickness = 0.1, width = 1, lead = 4, overlap = 2e-3;   // mm
-constexpr double friction = 0.3, wrap = M_PI / 2, tension = 0.1, elastic_slip = 1e-4; // N, mm
+constexpr double friction = 0.3, wrap = M_PI / 2, tension = 0.1, elastic_slip = 1e-3; // N, mm
 
 /// A point at the distance `s` (mm) along the belt's inner side from its lower end, `out` outside of it: up along a
 /// straight lead, a quarter around the drum's axis y, and on along -x.
@@ -51,7 +51,7 @@ Parameters wrapped()
   p.materials.resize(2);
   auto &strip = p.materials[0], &steel = p.materials[1];
   strip.name = "strip", strip.law = Law::saint_venant, strip.youngs_modulus = 500, strip.poisson_ratio = 0;
-  steel.name = "steel", steel.law = Law::saint_venant, steel.youngs_modulus = 2e5, steel.poisson_ratio = 0;
+  steel.name = "steel", steel.law = Law::saint_venant, steel.youngs_modulus = 2e4, steel.poisson_ratio = 0;
   p.bodies = {{"belt", "strip"}, {"drum", "steel"}};
   p.supports = {{"drum.z0", {"x", "y", "z"}}, {"belt.y0", {"y"}}, {"belt.y1", {"y"}}, {"belt.x1", {}, {{0, {}, {}}}}};
   p.loads = {{"belt.x0", {0, 0, 0}, 0}};
@@ -63,7 +63,7 @@ Parameters wrapped()
 
 } // namespace
 
-// The slack end carries a dead load, the other one is pulled by 100 times the elastic slip a step until all of the
+// The slack end carries a dead load, the other one is pulled by 20 times the elastic slip a step until all of the
 // belt slides. The belt's thickness lets friction act at radius R where the tension acts at R + h / 2 (0.5 %), and its
 // bending stiffness carries a share of about E I / (T R^2) = 4e-3 of what it is wound around.
 TEST_CASE("belt: the pulled end of a sliding belt carries exp(mu phi) times the slack end's tension")
@@ -75,7 +75,7 @@ TEST_CASE("belt: the pulled end of a sliding belt carries exp(mu phi) times the 
     assembly.step(1);
   }
   for (int i = 1; i <= 16; ++i) {
-    assembly.parameters.supports[3].move[0] = -i * 100 * elastic_slip;
+    assembly.parameters.supports[3].move[0] = -i * 20 * elastic_slip;
     assembly.step(0.1);
   }
   const double pulled = -assembly.force_on("belt.x1")[0];

@@ -24,12 +24,12 @@ Mesh block_on_plate()
   return beside(box_mesh(3, 2, 1, block, "block", "block."), box_mesh(5, 3, 1, plate, "plate", "plate."));
 }
 
-Parameters pressed(int passes)
+Parameters pressed(int passes, double c10 = 0.2)
 {
   Parameters p;
   p.materials.resize(2);
   auto &rubber = p.materials[0], &steel = p.materials[1];
-  rubber.name = "rubber", rubber.c10 = 0.2, rubber.d1 = 0.5;
+  rubber.name = "rubber", rubber.c10 = c10, rubber.d1 = 0.1 / c10;
   steel.name = "steel", steel.law = Law::saint_venant, steel.youngs_modulus = 2e4, steel.poisson_ratio = 0.3;
   p.bodies = {{"block", "rubber"}, {"plate", "steel"}};
   p.supports = {{"plate.z0", {"x", "y", "z"}}, {"block.z1", {"y"}, {{0, {}, {}}}}};
@@ -81,12 +81,13 @@ TEST_CASE("friction: a sliding block is held back by mu N")
   }
 }
 
-// Below the limit the block sticks for ever, and comes back when it is let go.
+// Below the limit the block sticks for ever, and comes back when it is let go. It is stiff, so that all of it slips
+// alike.
 TEST_CASE("friction: a block pulled by less than mu N sticks")
 {
   const auto mesh = block_on_plate();
   for (const Passes &passes : one_and_two) {
-    StagedAssembly assembly(mesh, pressed(passes.number));
+    StagedAssembly assembly(mesh, pressed(passes.number, 200));
     for (int i = 0; i < 3; ++i)
       assembly.step(1);
     const double share = 0.5, rest = assembly.displacement_of("block.z0")[0];
@@ -106,7 +107,7 @@ TEST_CASE("friction: a block pulled by less than mu N sticks")
              "N"});
     compare({"friction: slip of that block against the elastic slip" + name, "law of friction, r / sqrt(1 - r^2)",
              share / std::sqrt(1 - share * share), pulled / elastic_slip, passes.slip_tolerance, "1", kind});
-    compare({"friction: creep of that block over 40 s" + name, "it sticks", 0, later - pulled, 1e-7, "mm", kind});
+    compare({"friction: creep of that block over 40 s" + name, "it sticks", 0, later - pulled, 1e-6, "mm", kind});
     compare(
         {"friction: where it is when let go" + name, "it has stuck", 0, pull(0), passes.return_tolerance, "mm", kind});
   }

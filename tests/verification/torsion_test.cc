@@ -30,9 +30,10 @@ public:
       : mesh_(whole_tube(A, B, length, n, 8 * n, 2 * n)), discretization_(mesh_, MPI_COMM_SELF),
         wall_(discretization_, 0, make_material(rubber()), 0, true), load_(discretization_, {"inner", {}, pressure}),
         system_(discretization_),
-        newton_(system_, {&wall_, &load_}, nullptr, MPI_COMM_SELF, {.tolerance = 1e-8, .force_floor = 1e-3})
+        newton_(system_, {&wall_, &load_}, {}, nullptr, MPI_COMM_SELF, {.tolerance = 1e-8, .force_floor = 1e-3})
   {
     state_.displacement.assign(3 * mesh_.nodes.size(), 0.);
+    state_.load_factor = 1;
   }
 
   void turn(double twist, int steps)

@@ -28,7 +28,7 @@ Material rubber()
 ContactPair pair(double friction, int passes)
 {
   ContactPair p = {"pair", {"upper.z0"}, {"lower.z1"}, friction, 0.3, 10, 0.02};
-  p.elastic_slip = 1e-3;
+  p.elastic_slip = 5e-4;
   p.passes = passes;
   return p;
 }
