@@ -76,7 +76,7 @@ def problem_section(problem, own: list, runs: list) -> str:
     finest = [run for run in runs if run.cells == problem.cells]
     return (f"\n### {problem.title[0].upper()}{problem.title[1:]}\n\n" +
             table(["program", "nodes", "steps / iterations", "error", "user time", "ratio", ""], rows) +
-            f"\n{same_mesh(problem, own[0], finest)}{equal_error(own, runs)}{" " + problem.note if problem.note else ""}\n")
+            f"\n{same_mesh(problem, own[0], finest)}{equal_error(own, runs)} {problem.note}".rstrip() + "\n")
 
 
 def pitches_section(times: dict, whole: float, longest: float) -> str:
