@@ -18,7 +18,8 @@ against the published deflection of the tip.
 
 *Ratio* is the user time of the run over that of Ballonet on the finest mesh. *On the same mesh*, the finest one, stands CalculiX's fastest run whose
 error is not larger than Ballonet's; if none is as accurate, its most accurate one. *At equal error* stands the fastest run of each program, on
-any mesh, with at most the smallest error that both reach (and 5 %). Of Ballonet's times {start_up:.2f} s are start-up: the dynamic linker and MPI.
+any mesh, with at most the smallest error that both reach (and 5 %). Of Ballonet's times {start_up:.2f} s are start-up: the dynamic linker and MPI. On problems that
+CalculiX solves in less than that it is the faster program, and for rubber the ratios hang on the bulk modulus its user chooses: read both.
 """
 
 PITCHES = """
@@ -75,7 +76,7 @@ def problem_section(problem, own: list, runs: list) -> str:
     finest = [run for run in runs if run.cells == problem.cells]
     return (f"\n### {problem.title[0].upper()}{problem.title[1:]}\n\n" +
             table(["program", "nodes", "steps / iterations", "error", "user time", "ratio", ""], rows) +
-            f"\n{same_mesh(problem, own[0], finest)}{equal_error(own, runs)}\n")
+            f"\n{same_mesh(problem, own[0], finest)}{equal_error(own, runs)} {problem.note}".rstrip() + "\n")
 
 
 def pitches_section(times: dict, whole: float, longest: float) -> str:

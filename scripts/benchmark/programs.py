@@ -19,6 +19,7 @@ class Problem:
     coarser: tuple
     choices: tuple  # element type, bulk over shear modulus (0: the problem's own)
     aim: float  # how many times less user time than CalculiX
+    note: str = ""  # what the reader of the errors must know
 
 
 # Rubber of the walls is incompressible. CalculiX has no hybrid elements: the larger its bulk modulus, the smaller the error and the
@@ -28,8 +29,12 @@ SOLID = (("C3D20R", 0), ("C3D20", 0))
 PROBLEMS = (
     Problem("sphere", "thick sphere", 4, (3, 2, 1), WALL, 10),
     Problem("tube", "thick tube", 8, (4, 2, 1), WALL, 5),
-    Problem("cook", "Cook's membrane", 16, (8, 4, 2), SOLID, 5),
-    Problem("cantilever", "cantilever", 160, (80, 40, 20, 10), SOLID, 5),
+    Problem("cook", "Cook's membrane", 16, (8, 4, 2), SOLID, 5,
+            "The published deflection is that of a finer mesh and 0.4 % short of the "
+            "limit ours points to: errors of Ballonet below 4e-3 do not rank meshes."),
+    Problem("cantilever", "cantilever", 160, (80, 40, 20, 10), SOLID, 5,
+            "The solid beam is not the inextensible elastica: the error tends to 7.6e-4, and passes through zero "
+            "on the mesh of 20 cells, so that the comparison at equal error is made by chance there."),
 )
 
 
