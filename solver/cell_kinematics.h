@@ -55,16 +55,4 @@ inline Voigt strain_increment(const Matrix3 &F, const Matrix3 &H)
   return e;
 }
 
-/// Strain-displacement matrix B, six rows of 81 values each: delta E = B delta u (engineering shears).
-inline void strain_displacement(const Matrix3 &F, const Gradients &G, double *B)
-{
-  for (int k = 0; k < 6; ++k) {
-    const int i = voigt_row[k], j = voigt_column[k];
-    double *row = B + k * n_cell_values;
-    for (int a = 0; a < n_cell_nodes; ++a)
-      for (int m = 0; m < 3; ++m)
-        row[3 * a + m] = i == j ? F[3 * m + i] * G[a][i] : F[3 * m + i] * G[a][j] + F[3 * m + j] * G[a][i];
-  }
-}
-
 } // namespace ballonet::solver

@@ -20,9 +20,12 @@ void for_each_scalar(Progress &p, const Visit &visit)
   visit("cuts", p.cuts);
   visit("setbacks", p.setbacks);
   visit("iterations", p.iterations);
-  visit("load_factor", p.load_factor);
+  visit("factorisations", p.factorisations);
+  visit("load_factor", p.state.load_factor);
   visit("stretch", p.stretch);
   visit("dt", p.dt);
+  visit("arc_length", p.arc_length);
+  visit("ceiling", p.ceiling);
   visit("volume", p.volume);
   visit("pressure_peak", p.pressure_peak);
 }
@@ -36,6 +39,8 @@ void write_checkpoint(const std::string &file, const PathProgress &progress)
     out.write("displacement", progress.state.displacement, 3);
     out.write("velocity", progress.state.velocity, 3);
     out.write("acceleration", progress.state.acceleration, 3);
+    if (!progress.state.friction.empty())
+      out.write("friction", progress.state.friction, 3);
     for_each_scalar(progress, [&](const char *name, double value) { out.write_attribute("/", name, value); });
   }
   std::filesystem::rename(file + ".new", file);
@@ -52,6 +57,8 @@ bool read_checkpoint(const std::string &file, PathProgress &progress)
   progress.state.displacement = std::move(displacement);
   progress.state.velocity = std::move(velocity);
   progress.state.acceleration = in.read("acceleration");
+  if (!progress.state.friction.empty())
+    progress.state.friction = in.read("friction");
   for_each_scalar(progress, [&](const char *name, auto &value) { value = in.read_attribute("/", name); });
   return true;
 }

@@ -6,16 +6,17 @@ namespace ballonet::solver::contact
 
 void ContactBlock::clear() { values_.fill(0); }
 
-void ContactBlock::add_normal(const std::array<double, 9> &face_shapes, const PatchShapes &patch_shapes,
+void ContactBlock::add_normal(bool x_is_secondary, const std::array<double, 9> &x_shapes, const PatchShapes &y_shapes,
                               const Point3 &normal, const NormalForm &form)
 {
+  const int x = x_is_secondary ? 0 : 9, y = 9 - x;
   std::array<double, 18> shape;                  // of x - y
   std::array<std::array<double, 18>, 2> slope{}; // of y_,0 and y_,1
   for (int a = 0; a < 9; ++a) {
-    shape[a] = face_shapes[a];
-    shape[9 + a] = -patch_shapes.value[a];
-    slope[0][9 + a] = patch_shapes.derivative[0][a];
-    slope[1][9 + a] = patch_shapes.derivative[1][a];
+    shape[x + a] = x_shapes[a];
+    shape[y + a] = -y_shapes.value[a];
+    slope[0][y + a] = y_shapes.derivative[0][a];
+    slope[1][y + a] = y_shapes.derivative[1][a];
   }
   std::array<std::array<double, n_patch_values>, 5> product; // form times rows
   for (int k = 0; k < 5; ++k)
@@ -43,7 +44,7 @@ struct Target {
   int count;
 };
 
-std::array<Target, 18> targets(const PrimaryPatch &patch)
+std::array<Target, 18> targets(const Patch &patch)
 {
   const auto &column = columns_behind(patch.face.local);
   std::array<Target, 18> target;
@@ -56,9 +57,9 @@ std::array<Target, 18> targets(const PrimaryPatch &patch)
 
 } // namespace
 
-void ContactBlock::spread(const PrimaryPatch &patch)
+void ContactBlock::spread(const Patch &primary)
 {
-  const auto target = targets(patch);
+  const auto target = targets(primary);
   for (int a = 0; a < 18; ++a)
     for (int k = 0; k < target[a].count; ++k)
       for (int i = 0; i < 3; ++i) {
@@ -74,12 +75,12 @@ void ContactBlock::spread(const PrimaryPatch &patch)
   patch_values_.fill(0);
 }
 
-void ContactBlock::add_sliding(const std::array<double, 9> &face_shapes, const std::array<double, 27> &cell_weights,
+void ContactBlock::add_sliding(const NodeWeights &face_weights, const NodeWeights &cell_weights,
                                const dealii::Tensor<2, 3> &form)
 {
   std::array<double, 36> shape;
   for (int a = 0; a < 9; ++a)
-    shape[a] = face_shapes[a];
+    shape[a] = face_weights[a];
   for (int b = 0; b < 27; ++b)
     shape[9 + b] = -cell_weights[b];
   std::array<std::array<double, n_values>, 3> product;

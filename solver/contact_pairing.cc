@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "solver/contact_pairing.h"
+#include "solver/contact_quadrature.h"
+#include <algorithm>
 #include <stdexcept>
-#include <tuple>
 
 namespace ballonet::solver::contact
 {
@@ -14,18 +15,40 @@ void check(const ContactPair &pair)
   if (pair.thickness <= 0 || pair.stiffness <= 0 || pair.onset < 0 || pair.friction < 0)
     throw std::invalid_argument("contact pair \"" + pair.name +
                                 "\": thickness and stiffness must be positive, onset and friction not negative");
+  if (pair.passes != 1 && pair.passes != 2)
+    throw std::invalid_argument("contact pair \"" + pair.name + "\": " + std::to_string(pair.passes) +
+                                " passes, allowed are 1 and 2");
 }
 
 /// A body's contact with itself would see its own patch at exactly the contact distance.
-void check_apart(const ContactPair &pair, const std::vector<SecondaryFace> &faces,
-                 const std::vector<PrimaryPatch> &patches)
+void check_apart(const ContactPair &pair, const std::vector<Patch> &secondary, const std::vector<Patch> &primary)
 {
   std::unordered_set<std::uint32_t> primary_cells;
-  for (const PrimaryPatch &patch : patches)
+  for (const Patch &patch : primary)
     primary_cells.insert(patch.face.cell);
-  for (const SecondaryFace &face : faces)
-    if (primary_cells.count(face.face.cell))
+  for (const Patch &patch : secondary)
+    if (primary_cells.count(patch.face.cell))
       throw std::invalid_argument("contact pair \"" + pair.name + "\": a cell is both secondary and primary");
+}
+
+/// Secondary and primary patches in one list with their points. Two passes share the area.
+std::vector<Patch> both_surfaces(const Mesh &mesh, const ContactPair &pair)
+{
+  std::vector<Patch> patches = patches_of(mesh, pair.secondary, 0),
+                     primary = patches_of(mesh, pair.primary, pair.thickness);
+  check_apart(pair, patches, primary);
+  for (Patch &patch : patches)
+    patch.points = gauss_points(mesh, patch, pair.points_per_side, 1. / pair.passes);
+  const auto n_secondary = static_cast<std::uint32_t>(patches.size());
+  for (Patch &patch : primary) {
+    if (pair.passes == 2)
+      patch.points = points_with_edges(mesh, patch, pair.thickness / 2, 0.5);
+    for (auto &neighbour : patch.neighbour)
+      if (neighbour)
+        neighbour->patch += n_secondary;
+    patches.push_back(std::move(patch));
+  }
+  return patches;
 }
 
 /// For each parameter the side beyond which the point would be nearer, or -1.
@@ -40,35 +63,67 @@ std::array<int, 2> sides_reached(const ClosestPoint &c)
 
 } // namespace
 
-/// The patches near one face, and their distances as seen from one of its points.
-struct ContactPairing::Candidates {
-  const std::vector<PatchNodes> &nodes;
-  const std::vector<Box> &boxes;
-  std::vector<std::uint32_t> patches;
-  std::vector<std::pair<double, std::uint32_t>> by_bound; ///< lower bound of the gap, patch
+/// All patches in one state, and the primary ones in a tree.
+struct ContactPairing::Surroundings {
+  std::vector<PatchNodes> nodes;
+  std::vector<Box> boxes;
+  BoxTree primary;
+
+  Surroundings(const ContactPairing &pairing, const CurrentPosition &position)
+      : nodes(all_nodes(pairing, position)), boxes(all_boxes(pairing, nodes)),
+        primary({boxes.begin() + pairing.n_secondary_, boxes.end()})
+  {
+  }
+
+  static std::vector<PatchNodes> all_nodes(const ContactPairing &pairing, const CurrentPosition &position)
+  {
+    std::vector<PatchNodes> nodes;
+    for (const Patch &patch : pairing.patches_)
+      nodes.push_back(at_depth(patch, position));
+    return nodes;
+  }
+
+  static std::vector<Box> all_boxes(const ContactPairing &pairing, const std::vector<PatchNodes> &nodes)
+  {
+    std::vector<Box> boxes;
+    for (std::size_t p = 0; p < nodes.size(); ++p)
+      boxes.push_back(enclosing_box(within_range(nodes[p], pairing.patches_[p].range)));
+    return boxes;
+  }
 };
 
 ContactPairing::ContactPairing(const Mesh &mesh, const ContactPair &pair,
                                const std::function<bool(std::uint32_t cell)> &owned, double margin)
-    : mesh_(mesh), margin_(margin), quadrature_(pair.points_per_side)
+    : mesh_(mesh), margin_(margin)
 {
   check(pair);
-  faces_ = secondary_faces(mesh, pair.secondary, quadrature_, owned);
-  patches_ = primary_patches(mesh, pair.primary, pair.thickness);
-  check_apart(pair, faces_, patches_);
-  for (const PrimaryPatch &patch : patches_)
-    largest_radius_ = std::max(largest_radius_, patch.radius);
-  pairings_.resize(faces_.size() * quadrature_.size());
+  patches_ = both_surfaces(mesh, pair);
+  n_secondary_ = 0;
+  for (std::uint32_t p = 0; p < patches_.size(); ++p) {
+    Patch &patch = patches_[p];
+    n_secondary_ += patch.depth == 0;
+    largest_radius_ = std::max(largest_radius_, patch.depth);
+    patch.first_point = n_points_of_all_ranks_;
+    n_points_of_all_ranks_ += patch.points.size();
+    if (!owned(patch.face.cell))
+      patch.points.clear();
+    for (std::uint32_t q = 0; q < patch.points.size(); ++q)
+      points_.push_back({p, q});
+  }
+  pairings_.resize(points_.size());
 }
 
 /// The closest point, from patch to neighbouring patch as long as the gap shrinks.
-PairedPoint ContactPairing::paired_point(std::uint32_t index, const Point3 &x, CurrentPatches &nodes) const
+PairedPoint ContactPairing::paired_point(std::uint32_t index, CurrentPatches &nodes) const
 {
   constexpr int most_crossings = 3;
+  const auto [own, point] = points_[index];
   const auto &[patch, xi] = pairings_[index];
-  PairedPoint p = {index / quadrature_.size(), index % quadrature_.size(), patch, x, {}, 0};
-  p.closest = closest_point(nodes[patch], patches_[patch].range, x, xi);
-  p.penetration = patches_[patch].radius - p.closest.distance;
+  const auto &[own_xi, area] = patches_[own].points[point];
+  const std::size_t number = patches_[own].first_point + point;
+  PairedPoint p = {own, own_xi, area, number, patch, interpolate(nodes[own], patch_shapes(own_xi).value), {}, 0};
+  p.closest = closest_point(nodes[patch], patches_[patch].range, p.position, xi);
+  p.penetration = radius(own, patch) - p.closest.distance;
   for (int k = 0; crossing_ && k < most_crossings && cross(p, nodes); ++k) {
   }
   return p;
@@ -80,15 +135,16 @@ bool ContactPairing::cross(PairedPoint &p, CurrentPatches &nodes) const
   const PairedPoint here = p;
   for (const int side : sides_reached(here.closest)) {
     const auto link = side < 0 ? std::nullopt : patches_[here.patch].neighbour[side];
-    if (!link || !coupled(p.face, link->patch))
+    if (!link || !coupled(p.own, link->patch))
       continue;
-    const PrimaryPatch &next = patches_[link->patch];
+    const Patch &next = patches_[link->patch];
     const ClosestPoint closest =
         closest_point(nodes[link->patch], next.range, p.position, across(here.closest.xi, side, *link, next));
-    if (next.radius - closest.distance > p.penetration + 1e-12) {
+    const double penetration = radius(p.own, link->patch) - closest.distance;
+    if (penetration > p.penetration + 1e-12) {
       p.patch = link->patch;
       p.closest = closest;
-      p.penetration = next.radius - closest.distance;
+      p.penetration = penetration;
     }
   }
   return p.patch != here.patch;
@@ -102,69 +158,71 @@ void ContactPairing::begin_step()
   crossing_ = true;
 }
 
-void ContactPairing::search(std::span<const double> displacement)
+/// Calls visit(secondary, primary) for the patches whose boxes are closer than the contact distance plus the margin, if
+/// one of them has points.
+template <class Visit>
+void ContactPairing::for_each_near(const Surroundings &now, double margin, Visit visit) const
 {
-  const CurrentPosition position = {mesh_, displacement};
-  std::vector<PatchNodes> nodes;
-  std::vector<Box> boxes;
-  for (const PrimaryPatch &patch : patches_) {
-    nodes.push_back(at_depth(patch, position));
-    boxes.push_back(enclosing_box(within_range(nodes.back(), patch.range)));
-  }
-  const BoxTree tree(boxes);
-  Candidates candidates = {nodes, boxes, {}, {}};
-  const std::size_t before = couplings_.size();
-  paired_.clear();
-  for (std::uint32_t f = 0; f < faces_.size(); ++f) {
-    const PatchNodes face_nodes = at_nodes(faces_[f].nodes, position);
-    candidates.patches.clear();
-    tree.overlapping(enclosing_box(face_nodes).enlarged(largest_radius_ + margin_),
-                     [&](std::uint32_t patch) { candidates.patches.push_back(patch); });
-    std::sort(candidates.patches.begin(), candidates.patches.end());
-    for (const std::uint32_t patch : candidates.patches)
-      couple(f, patches_[patch].face.cell);
-    for (std::uint32_t q = 0; q < quadrature_.size(); ++q) {
-      const std::uint32_t index = f * quadrature_.size() + q;
-      const Point3 x = interpolate(face_nodes, quadrature_.shapes[q].value);
-      pairings_[index] = nearest(x, pairings_[index], candidates);
-      if (pairings_[index].patch != none)
-        paired_.push_back(index);
-    }
-  }
-  if (couplings_.size() > before)
-    look_ahead(position, tree);
+  for (std::uint32_t s = 0; s < n_secondary_; ++s)
+    now.primary.overlapping(now.boxes[s].enlarged(largest_radius_ + margin), [&](std::uint32_t index) {
+      const std::uint32_t p = n_secondary_ + index;
+      if (!patches_[s].points.empty() || !patches_[p].points.empty())
+        visit(s, p);
+    });
 }
 
-/// Couples what may come within reach later, so that the couplings change seldom: each change costs a new matrix.
-void ContactPairing::look_ahead(const CurrentPosition &position, const BoxTree &tree)
+void ContactPairing::search(std::span<const double> displacement)
 {
-  for (std::uint32_t f = 0; f < faces_.size(); ++f)
-    tree.overlapping(enclosing_box(at_nodes(faces_[f].nodes, position)).enlarged(largest_radius_ + 1.5 * margin_),
-                     [&](std::uint32_t patch) { couple(f, patches_[patch].face.cell); });
+  const Surroundings now(*this, {mesh_, displacement});
+  std::vector<std::vector<std::uint32_t>> near(patches_.size());
+  const std::size_t before = couplings_.size();
+  for_each_near(now, margin_, [&](std::uint32_t secondary, std::uint32_t primary) {
+    near[secondary].push_back(primary);
+    near[primary].push_back(secondary);
+    couple(secondary, primary);
+  });
+  paired_.clear();
+  for (std::uint32_t index = 0; index < points_.size(); ++index) {
+    pairings_[index] = nearest(index, near[points_[index].patch], now);
+    if (pairings_[index].patch != none)
+      paired_.push_back(index);
+  }
+  if (couplings_.size() > before) // couple what may come within reach later too: each change costs a new matrix
+    for_each_near(now, 1.5 * margin_,
+                  [&](std::uint32_t secondary, std::uint32_t primary) { couple(secondary, primary); });
 }
 
 /// The nearest patch. Of several that are equally near, as on a plane of symmetry, the previous one or else the first:
-/// so rounding does not decide.
-ContactPairing::Pairing ContactPairing::nearest(const Point3 &x, const Pairing &previous, Candidates &candidates) const
+/// so rounding does not decide. In a concave corner or kink the point may come to rest where two patches are equally
+/// near and would change sides in every iteration: it leaves the inside of a patch only for one that is clearly nearer.
+ContactPairing::Pairing ContactPairing::nearest(std::uint32_t index, const std::vector<std::uint32_t> &candidates,
+                                                const Surroundings &now) const
 {
-  constexpr double tie = 1e-9; // mm
+  if (candidates.empty())
+    return {};
+  constexpr double tie = 1e-9, hysteresis = 0.02; // mm; share of the radius
+  const auto [own, point] = points_[index];
+  const Point3 x = interpolate(now.nodes[own], patch_shapes(patches_[own].points[point].xi).value);
+  const Pairing &previous = pairings_[index];
   Pairing best;
   double smallest_gap = margin_;
   const auto rank = [&](std::uint32_t patch) { return patch == previous.patch ? -1 : std::int64_t(patch); };
-  candidates.by_bound.clear();
-  for (const std::uint32_t patch : candidates.patches) {
-    const double bound = std::sqrt(candidates.boxes[patch].distance_square(x)) - patches_[patch].radius;
+  std::vector<std::pair<double, std::uint32_t>> by_bound; // lower bound of the gap, patch
+  for (const std::uint32_t patch : candidates) {
+    const double bound = std::sqrt(now.boxes[patch].distance_square(x)) - radius(own, patch);
     if (bound < margin_)
-      candidates.by_bound.push_back({patch == previous.patch ? -infinity : bound, patch});
+      by_bound.push_back({patch == previous.patch ? -infinity : bound, patch});
   }
-  std::sort(candidates.by_bound.begin(), candidates.by_bound.end());
-  for (const auto &[bound, patch] : candidates.by_bound) {
+  std::sort(by_bound.begin(), by_bound.end());
+  for (const auto &[bound, patch] : by_bound) {
     if (bound > smallest_gap + tie)
       break;
-    const auto &[nodes, range] = std::tie(candidates.nodes[patch], patches_[patch].range);
+    const PatchNodes &nodes = now.nodes[patch];
+    const PatchRange &range = patches_[patch].range;
     const ClosestPoint closest =
         patch == previous.patch ? closest_point(nodes, range, x, previous.xi) : closest_point(nodes, range, x);
-    const double gap = closest.distance - patches_[patch].radius;
+    const bool stays_inside = patch == previous.patch && closest.free[0] && closest.free[1];
+    const double gap = closest.distance - (stays_inside ? 1 + hysteresis : 1) * radius(own, patch);
     const bool nearer = gap < smallest_gap - tie;
     const bool as_near = gap < smallest_gap + tie && best.patch != none;
     if (nearer || (as_near && rank(patch) < rank(best.patch)))
@@ -175,15 +233,16 @@ ContactPairing::Pairing ContactPairing::nearest(const Point3 &x, const Pairing &
   return best;
 }
 
-bool ContactPairing::coupled(std::uint32_t face, std::uint32_t patch) const
+/// Of the secondary patch (which comes first in the list) and the cell of the primary one.
+std::uint64_t ContactPairing::coupling_key(std::uint32_t a, std::uint32_t b) const
 {
-  return coupled_.count(std::uint64_t(face) << 32 | patches_[patch].face.cell) > 0;
+  return std::uint64_t(std::min(a, b)) << 32 | patches_[std::max(a, b)].face.cell;
 }
 
-void ContactPairing::couple(std::uint32_t face, std::uint32_t cell)
+void ContactPairing::couple(std::uint32_t secondary, std::uint32_t primary)
 {
-  if (coupled_.insert(std::uint64_t(face) << 32 | cell).second)
-    couplings_.push_back({face, cell});
+  if (coupled_.insert(coupling_key(secondary, primary)).second)
+    couplings_.push_back({secondary, patches_[primary].face.cell});
 }
 
 } // namespace ballonet::solver::contact

@@ -3,25 +3,33 @@
 #include "solver/contact_search.h"
 #include "solver/contact_surface.h"
 #include "solver/parameters.h"
-#include <algorithm>
+#include <functional>
 #include <limits>
 #include <unordered_set>
 
 namespace ballonet::solver::contact
 {
 
-/// A quadrature point of a secondary face with the patch it looks at, in one state.
+/// A quadrature point of a patch with the patch of the other surface it looks at, in one state.
 struct PairedPoint {
-  std::uint32_t face, point; ///< index of the secondary face, quadrature point on it
-  std::uint32_t patch;
+  std::uint32_t own;   ///< the patch that the point is on
+  Parameters2 own_xi;  ///< where
+  double area;         ///< mm^2 at rest that it stands for
+  std::size_t number;  ///< among the points of all ranks
+  std::uint32_t patch; ///< of the other surface
   Point3 position;
   ClosestPoint closest;
-  double penetration; ///< radius of the patch - distance; negative without contact
+  double penetration; ///< radius - distance; negative without contact
 };
 
-/// Which patch each secondary point looks at. search() decides; in between the choice is frozen and only the closest
-/// point is found anew. It may leave the patch across a side into a neighbouring one: so sliding along a surface or
-/// around an edge is smooth, but a point never jumps to another part of the surface.
+/// Both surfaces of a contact pair, and which patch of the other one each quadrature point looks at. The secondary
+/// surface is taken as it is, the primary one at the depth `thickness` in its body. Contact begins where a point and a
+/// patch come closer than the sum of their depths, whichever of them has the point. With one pass the points are on the
+/// secondary surface, with two on both.
+///
+/// search() decides; in between the choice is frozen and only the closest point is found anew. It may leave the patch
+/// across a side into a neighbouring one: so sliding along a surface or around an edge is smooth, but a point never
+/// jumps to another part of the surface.
 class ContactPairing
 {
 public:
@@ -40,46 +48,56 @@ public:
   /// equally near and a point could change sides for ever.
   void allow_crossing(bool allowed) { crossing_ = allowed; }
 
-  /// Calls visit(index, PairedPoint) for all paired points in ascending order; index = face * points of a face + point.
+  /// Calls visit(index, PairedPoint) for all paired points in ascending order.
   template <class Visit>
   void for_each(std::span<const double> displacement, Visit visit) const;
 
-  /// The (face, cell) pairs that have come within reach in this step: only these are ever paired.
+  /// The (secondary patch, primary cell) pairs that have come within reach in this step: only these are ever paired.
   const std::vector<std::array<std::uint32_t, 2>> &couplings() const { return couplings_; }
 
   const Mesh &mesh() const { return mesh_; }
-  const FaceQuadrature &quadrature() const { return quadrature_; }
-  const std::vector<SecondaryFace> &faces() const { return faces_; }
-  const std::vector<PrimaryPatch> &patches() const { return patches_; }
+  /// The secondary patches, then the primary ones.
+  const std::vector<Patch> &patches() const { return patches_; }
+  bool is_secondary(std::uint32_t patch) const { return patch < n_secondary_; }
+  std::uint32_t n_secondary() const { return n_secondary_; }
+  std::size_t n_points() const { return points_.size(); }
+  std::size_t n_points_of_all_ranks() const { return n_points_of_all_ranks_; }
+  /// The distance at which contact between two patches begins, mm.
+  double radius(std::uint32_t a, std::uint32_t b) const { return patches_[a].depth + patches_[b].depth; }
   double largest_radius() const { return largest_radius_; }
 
 private:
   static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+  struct PointOnPatch {
+    std::uint32_t patch, point;
+  };
   struct Pairing {
     std::uint32_t patch = none;
     Parameters2 xi = {0.5, 0.5}; ///< where the closest point was at the last search
   };
-  struct Candidates;
+  class CurrentPatches;
+  struct Surroundings;
 
   const Mesh &mesh_;
   double margin_, largest_radius_ = 0;
   bool crossing_ = true;
-  FaceQuadrature quadrature_;
-  std::vector<SecondaryFace> faces_;
-  std::vector<PrimaryPatch> patches_;
+  std::vector<Patch> patches_;
+  std::uint32_t n_secondary_;
+  std::vector<PointOnPatch> points_;
+  std::size_t n_points_of_all_ranks_ = 0;
   std::vector<Pairing> pairings_;     ///< one per point
   std::vector<std::uint32_t> paired_; ///< indices of the points that have a patch
   std::vector<std::array<std::uint32_t, 2>> couplings_;
   std::unordered_set<std::uint64_t> coupled_;
 
-  class CurrentPatches;
-
-  void couple(std::uint32_t face, std::uint32_t cell);
-  void look_ahead(const CurrentPosition &, const BoxTree &);
-  bool coupled(std::uint32_t face, std::uint32_t patch) const;
-  PairedPoint paired_point(std::uint32_t index, const Point3 &x, CurrentPatches &) const;
+  template <class Visit>
+  void for_each_near(const Surroundings &, double margin, Visit visit) const;
+  std::uint64_t coupling_key(std::uint32_t a, std::uint32_t b) const;
+  void couple(std::uint32_t secondary, std::uint32_t primary);
+  bool coupled(std::uint32_t a, std::uint32_t b) const { return coupled_.count(coupling_key(a, b)) > 0; }
+  PairedPoint paired_point(std::uint32_t index, CurrentPatches &) const;
   bool cross(PairedPoint &, CurrentPatches &) const;
-  Pairing nearest(const Point3 &x, const Pairing &previous, Candidates &) const;
+  Pairing nearest(std::uint32_t index, const std::vector<std::uint32_t> &candidates, const Surroundings &) const;
 };
 
 /// Nodes of the patches in one state, found when first asked for.
@@ -101,7 +119,7 @@ public:
   }
 
 private:
-  const std::vector<PrimaryPatch> &patches_;
+  const std::vector<Patch> &patches_;
   CurrentPosition position_;
   std::vector<PatchNodes> nodes_;
   std::vector<bool> known_;
@@ -110,17 +128,9 @@ private:
 template <class Visit>
 void ContactPairing::for_each(std::span<const double> displacement, Visit visit) const
 {
-  const CurrentPosition position = {mesh_, displacement};
-  CurrentPatches patches(*this, position);
-  PatchNodes face_nodes;
-  std::uint32_t present = none;
-  for (const std::uint32_t index : paired_) {
-    const std::uint32_t face = index / quadrature_.size();
-    if (face != present)
-      face_nodes = at_nodes(faces_[present = face].nodes, position);
-    const Point3 x = interpolate(face_nodes, quadrature_.shapes[index % quadrature_.size()].value);
-    visit(index, paired_point(index, x, patches));
-  }
+  CurrentPatches patches(*this, {mesh_, displacement});
+  for (const std::uint32_t index : paired_)
+    visit(index, paired_point(index, patches));
 }
 
 } // namespace ballonet::solver::contact

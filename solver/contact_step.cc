@@ -28,11 +28,12 @@ struct MovingPatch {
   }
 };
 
-/// A point of a secondary face, and the patch it might run into.
+/// A point of one surface, and the patch of the other one that it might run into.
 struct Approach {
   Point3 x, increment;
   const MovingPatch &moving;
-  const PrimaryPatch &patch;
+  const PatchRange &range;
+  double core; ///< mm, how near it may come
 
   /// Upper bound of the relative displacement; 1.25^2 is the Lebesgue constant of biquadratic interpolation.
   double relative_displacement() const
@@ -45,7 +46,7 @@ struct Approach {
 
   double distance(double fraction) const
   {
-    return closest_point(moving.at(fraction), patch.range, x + fraction * increment).distance;
+    return closest_point(moving.at(fraction), range, x + fraction * increment).distance;
   }
 };
 
@@ -63,7 +64,7 @@ double bisect(const Approach &approach, double smallest, double good, double bad
 /// jumped over, since crossing the core takes twice that.
 double limited(const Approach &approach, double fraction)
 {
-  const double core = core_share * approach.patch.radius;
+  const double core = approach.core;
   const double speed = approach.relative_displacement(); // mm per fraction
   const double box_distance = std::sqrt(approach.moving.start.distance_square(approach.x));
   if (speed == 0 || box_distance > core + fraction * speed)
@@ -84,12 +85,12 @@ std::vector<MovingPatch> moving_patches(const ContactPairing &pairing, const Cur
                                         const NodalField &increment)
 {
   std::vector<MovingPatch> moving;
-  for (const PrimaryPatch &patch : pairing.patches())
+  for (const Patch &patch : pairing.patches())
     moving.emplace_back(at_depth(patch, position), at_depth(patch, increment));
   return moving;
 }
 
-BoxTree tree_of(const std::vector<MovingPatch> &moving)
+BoxTree tree_of(std::span<const MovingPatch> moving)
 {
   std::vector<Box> boxes;
   for (const MovingPatch &patch : moving)
@@ -102,20 +103,23 @@ BoxTree tree_of(const std::vector<MovingPatch> &moving)
 double largest_fraction(const ContactPairing &pairing, std::span<const double> displacement,
                         std::span<const double> increment)
 {
-  const CurrentPosition position = {pairing.mesh(), displacement};
-  const NodalField field = {increment};
-  const std::vector<MovingPatch> moving = moving_patches(pairing, position, field);
-  const BoxTree tree = tree_of(moving);
+  const std::vector<MovingPatch> moving = moving_patches(pairing, {pairing.mesh(), displacement}, {increment});
+  const BoxTree primary = tree_of(std::span(moving).subspan(pairing.n_secondary()));
   double fraction = 1;
-  for (const SecondaryFace &face : pairing.faces()) {
-    const MovingPatch nodes(at_nodes(face.nodes, position), at_nodes(face.nodes, field));
-    tree.overlapping(nodes.swept.enlarged(core_share * pairing.largest_radius()), [&](std::uint32_t patch) {
-      for (const PatchShapes &shapes : pairing.quadrature().shapes) {
-        const Point3 x = interpolate(nodes.nodes, shapes.value), dx = interpolate(nodes.increment, shapes.value);
-        fraction = limited({x, dx, moving[patch], pairing.patches()[patch]}, fraction);
-      }
+  auto approach = [&](std::uint32_t own, std::uint32_t other) {
+    const double core = core_share * pairing.radius(own, other);
+    for (const QuadraturePoint &point : pairing.patches()[own].points) {
+      const auto shapes = patch_shapes(point.xi).value;
+      const Point3 x = interpolate(moving[own].nodes, shapes), dx = interpolate(moving[own].increment, shapes);
+      fraction = limited({x, dx, moving[other], pairing.patches()[other].range, core}, fraction);
+    }
+  };
+  for (std::uint32_t s = 0; s < pairing.n_secondary(); ++s)
+    primary.overlapping(moving[s].swept.enlarged(core_share * pairing.largest_radius()), [&](std::uint32_t index) {
+      const std::uint32_t p = pairing.n_secondary() + index;
+      approach(s, p);
+      approach(p, s);
     });
-  }
   return fraction;
 }
 

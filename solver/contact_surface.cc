@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "solver/contact_surface.h"
 #include <algorithm>
-#include <deal.II/base/quadrature_lib.h>
 #include <map>
 #include <set>
 #include <stdexcept>
@@ -28,24 +27,20 @@ std::array<std::uint8_t, 27> make_columns(std::uint32_t local_face)
   return nodes;
 }
 
-Point3 reference_position(const Mesh &mesh, Node n)
-{
-  return Point3({mesh.nodes[n][0], mesh.nodes[n][1], mesh.nodes[n][2]});
-}
-
 /// Mean distance between a face and its opposite one in the reference configuration.
 double thickness_behind(const Mesh &mesh, const Face &face)
 {
   const auto &column = columns_behind(face.local);
   const auto &nodes = mesh.cells[face.cell];
+  const ReferencePosition position = {mesh};
   double sum = 0;
   for (int c = 0; c < 9; ++c)
-    sum += (reference_position(mesh, nodes[column[3 * c + 2]]) - reference_position(mesh, nodes[column[3 * c]])).norm();
+    sum += (position(nodes[column[3 * c + 2]]) - position(nodes[column[3 * c]])).norm();
   return sum / 9;
 }
 
-/// Primary faces of each cell, as bits.
-std::map<std::uint32_t, unsigned> primary_sides(const std::vector<NamedFace> &faces)
+/// Faces of the surface of each cell, as bits.
+std::map<std::uint32_t, unsigned> sides_by_cell(const std::vector<NamedFace> &faces)
 {
   std::map<std::uint32_t, unsigned> sides;
   for (const NamedFace &f : faces)
@@ -53,13 +48,13 @@ std::map<std::uint32_t, unsigned> primary_sides(const std::vector<NamedFace> &fa
   return sides;
 }
 
-/// The depth that fits into a cell: half its thickness along every direction that has a primary face.
-double fitting_depth(const Mesh &mesh, std::uint32_t cell, unsigned sides, double thickness)
+/// The depth that fits into a cell: half its thickness along every direction that has a face of the surface.
+double fitting_depth(const Mesh &mesh, std::uint32_t cell, unsigned sides, double depth)
 {
   for (std::uint32_t direction = 0; direction < 3; ++direction)
     if (sides & (3u << 2 * direction))
-      thickness = std::min(thickness, 0.5 * thickness_behind(mesh, {cell, 2 * direction}));
-  return thickness;
+      depth = std::min(depth, 0.5 * thickness_behind(mesh, {cell, 2 * direction}));
+  return depth;
 }
 
 PatchRange trimmed_range(const Mesh &mesh, const Face &face, unsigned sides, double depth)
@@ -76,8 +71,20 @@ PatchRange trimmed_range(const Mesh &mesh, const Face &face, unsigned sides, dou
   return range;
 }
 
+/// The nodes whose motion moves the surface at a depth behind a face.
+std::vector<Node> carriers(const Mesh &mesh, const Face &face, double depth)
+{
+  const auto &cell = mesh.cells[face.cell];
+  if (depth > 0)
+    return {cell.begin(), cell.end()};
+  std::vector<Node> nodes;
+  for (int a = 0; a < 9; ++a)
+    nodes.push_back(cell[columns_behind(face.local)[3 * a]]);
+  return nodes;
+}
+
 /// Two faces are neighbours when they share the middle node of a side.
-void find_neighbours(std::vector<PrimaryPatch> &patches)
+void find_neighbours(std::vector<Patch> &patches)
 {
   constexpr std::array<int, 4> begin_of_side = {0, 2, 0, 6};
   struct Side {
@@ -88,7 +95,7 @@ void find_neighbours(std::vector<PrimaryPatch> &patches)
   std::map<Node, Side> first_at; // by the middle node
   for (std::uint32_t p = 0; p < patches.size(); ++p)
     for (int side = 0; side < 4; ++side) {
-      auto node = [&](int column) { return patches[p].cell_nodes[columns_behind(patches[p].face.local)[3 * column]]; };
+      auto node = [&](int column) { return patches[p].nodes[patches[p].place(column, 0)]; };
       const Side here = {p, side, node(begin_of_side[side])};
       const auto [other, is_new] = first_at.insert({node(middle_of_side[side]), here});
       if (is_new)
@@ -131,7 +138,7 @@ std::vector<NamedFace> faces_of(const Mesh &mesh, const std::vector<std::string>
   return faces;
 }
 
-Parameters2 across(const Parameters2 &xi, int side, const Neighbour &link, const PrimaryPatch &neighbour)
+Parameters2 across(const Parameters2 &xi, int side, const Neighbour &link, const Patch &neighbour)
 {
   const int normal = link.side / 2;
   const double along = xi[1 - side / 2];
@@ -152,50 +159,29 @@ PatchNodes within_range(const PatchNodes &nodes, const PatchRange &range)
   return part;
 }
 
-FaceQuadrature::FaceQuadrature(int points_per_side)
-{
-  const dealii::QGauss<2> gauss(points_per_side);
-  for (unsigned int k = 0; k < gauss.size(); ++k) {
-    shapes.push_back(patch_shapes({gauss.point(k)[0], gauss.point(k)[1]}));
-    weight.push_back(gauss.weight(k));
-  }
-}
-
-std::vector<SecondaryFace> secondary_faces(const Mesh &mesh, const std::vector<std::string> &names,
-                                           const FaceQuadrature &quadrature,
-                                           const std::function<bool(std::uint32_t cell)> &owned)
-{
-  std::vector<SecondaryFace> faces;
-  for (const NamedFace &f : faces_of(mesh, names)) {
-    if (!owned(f.face.cell))
-      continue;
-    SecondaryFace face = {f.face, {}, {}};
-    for (int a = 0; a < 9; ++a)
-      face.nodes[a] = mesh.cells[f.face.cell][columns_behind(f.face.local)[3 * a]];
-    const PatchNodes nodes = at_nodes(face.nodes, [&](Node n) { return reference_position(mesh, n); });
-    for (std::uint32_t q = 0; q < quadrature.size(); ++q) {
-      const auto &slope = quadrature.shapes[q].derivative;
-      const Point3 normal = cross_product_3d(interpolate(nodes, slope[0]), interpolate(nodes, slope[1]));
-      face.area.push_back(quadrature.weight[q] * normal.norm());
-    }
-    faces.push_back(face);
-  }
-  return faces;
-}
-
-std::vector<PrimaryPatch> primary_patches(const Mesh &mesh, const std::vector<std::string> &names, double thickness)
+std::vector<Patch> patches_of(const Mesh &mesh, const std::vector<std::string> &names, double depth)
 {
   const std::vector<NamedFace> faces = faces_of(mesh, names);
-  const auto sides = primary_sides(faces);
-  std::vector<PrimaryPatch> patches;
+  const auto sides = sides_by_cell(faces);
+  std::vector<Patch> patches;
   for (const NamedFace &f : faces) {
-    const double depth = fitting_depth(mesh, f.face.cell, sides.at(f.face.cell), thickness);
-    const double fraction = depth / thickness_behind(mesh, f.face);
-    const PatchRange range = trimmed_range(mesh, f.face, sides.at(f.face.cell), depth);
-    patches.push_back({f.face, f.surface, mesh.cells[f.face.cell], quadratic(fraction), fraction, range, depth, {}});
+    const double fitting = fitting_depth(mesh, f.face.cell, sides.at(f.face.cell), depth);
+    const double fraction = fitting / thickness_behind(mesh, f.face);
+    const PatchRange range = trimmed_range(mesh, f.face, sides.at(f.face.cell), fitting);
+    patches.push_back(
+        {f.face, f.surface, carriers(mesh, f.face, fitting), quadratic(fraction), fraction, range, fitting});
   }
   find_neighbours(patches);
   return patches;
+}
+
+NodeWeights node_weights(const Patch &patch, const std::array<double, 9> &shapes)
+{
+  NodeWeights weights{};
+  for (std::size_t c = 0; c < 9; ++c)
+    for (std::size_t k = 0; k < patch.n_layers(); ++k)
+      weights[patch.place(c, k)] = shapes[c] * patch.layer_weight[k];
+  return weights;
 }
 
 } // namespace ballonet::solver::contact

@@ -3,7 +3,6 @@
 #include "solver/contact_patch.h"
 #include "solver/mesh.h"
 #include "solver/types.h"
-#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -40,6 +39,12 @@ struct CurrentPosition {
   }
 };
 
+/// Node positions at rest.
+struct ReferencePosition {
+  const Mesh &mesh;
+  Point3 operator()(Node n) const { return Point3({mesh.nodes[n][0], mesh.nodes[n][1], mesh.nodes[n][2]}); }
+};
+
 /// A nodal vector field, three values per node.
 struct NodalField {
   std::span<const double> values;
@@ -52,21 +57,6 @@ struct NodalField {
   }
 };
 
-/// The Gauss points of a face, n x n.
-struct FaceQuadrature {
-  explicit FaceQuadrature(int points_per_side);
-  std::vector<PatchShapes> shapes;
-  std::vector<double> weight;
-  std::uint32_t size() const { return static_cast<std::uint32_t>(weight.size()); }
-};
-
-/// A face that feels the contact at its quadrature points.
-struct SecondaryFace {
-  Face face;
-  std::array<Node, 9> nodes;
-  std::vector<double> area; ///< reference area of each point, mm^2
-};
-
 /// A patch that shares a side of its face with another one.
 struct Neighbour {
   std::uint32_t patch;
@@ -74,29 +64,42 @@ struct Neighbour {
   bool reversed; ///< the parameters along the common side run against each other
 };
 
-/// The surface inside a cell at a depth behind one of its faces: the material points at a fixed fraction of the cell's
-/// thickness, so it follows the body exactly. It reaches up to the cell's sides, except where the neighbouring face of
-/// the same cell is primary too: there it ends at the same depth behind that one, which rounds the edge between them.
-struct PrimaryPatch {
+/// A point at which a patch feels the contact.
+struct QuadraturePoint {
+  Parameters2 xi;
+  double area; ///< of the real face in the reference configuration that the point stands for, mm^2
+};
+
+/// The surface inside a cell at a depth behind one of its faces, or that face itself: the material points at a fixed
+/// fraction of the cell's thickness, so it follows the body exactly. It reaches up to the cell's sides, except where a
+/// neighbouring face of the same cell belongs to the surface too: there it ends at the same depth behind that one,
+/// which rounds the edge between them.
+struct Patch {
   Face face;
-  std::uint32_t surface;              ///< index into the names of the primary surfaces
-  std::array<Node, 27> cell_nodes;    ///< lexicographic
+  std::uint32_t surface;   ///< index into the names it was made from
+  std::vector<Node> nodes; ///< the nine of the face at depth zero, otherwise those of the cell; lexicographic
   std::array<double, 3> layer_weight; ///< of the three layers behind the face
   double depth_fraction;              ///< of the cell's reference thickness behind the face, at most 1/2
   PatchRange range;
-  double radius; ///< contact begins at this distance, mm: the depth in the reference configuration
+  double depth; ///< mm in the reference configuration
   /// The patches beyond the sides low 0, high 0, low 1, high 1 of the face, whether the surface goes on or turns there.
-  std::array<std::optional<Neighbour>, 4> neighbour;
+  std::array<std::optional<Neighbour>, 4> neighbour = {};
+  std::vector<QuadraturePoint> points = {}; ///< none where the patch is only felt by others
+  std::size_t first_point = 0;              ///< number of its first point among those of all ranks
+
+  std::size_t n_layers() const { return nodes.size() / 9; }
+  /// Index into `nodes` of the node in a column, some layers deep.
+  std::size_t place(std::size_t column, std::size_t layer) const
+  {
+    return n_layers() == 1 ? column : columns_behind(face.local)[3 * column + layer];
+  }
 };
 
-std::vector<SecondaryFace> secondary_faces(const Mesh &, const std::vector<std::string> &names, const FaceQuadrature &,
-                                           const std::function<bool(std::uint32_t cell)> &owned);
+/// The patches of the named surfaces. `depth` in mm; cells thinner than twice that get half their own thickness, so
+/// contact never begins outside the real surface.
+std::vector<Patch> patches_of(const Mesh &, const std::vector<std::string> &names, double depth);
 
-/// `thickness`: the depth in mm. Cells thinner than twice that get half their own thickness, so contact never begins
-/// outside the real surface.
-std::vector<PrimaryPatch> primary_patches(const Mesh &, const std::vector<std::string> &names, double thickness);
-
-/// The field at the nodes of a face.
+/// A field at nine nodes.
 template <class Field>
 PatchNodes at_nodes(std::span<const Node, 9> nodes, const Field &field)
 {
@@ -106,20 +109,35 @@ PatchNodes at_nodes(std::span<const Node, 9> nodes, const Field &field)
   return values;
 }
 
-/// The field at the nine nodes of the patch: combinations of the three layers of cell nodes.
+/// The field at the nine nodes of the patch: combinations of the layers of nodes behind them.
 template <class Field>
-PatchNodes at_depth(const PrimaryPatch &patch, const Field &field)
+PatchNodes at_depth(const Patch &patch, const Field &field)
 {
-  const auto &column = columns_behind(patch.face.local);
   PatchNodes values;
-  for (int c = 0; c < 9; ++c)
-    for (int k = 0; k < 3; ++k)
-      values[c] += patch.layer_weight[k] * field(patch.cell_nodes[column[3 * c + k]]);
+  for (std::size_t c = 0; c < 9; ++c)
+    for (std::size_t k = 0; k < patch.n_layers(); ++k)
+      values[c] += patch.layer_weight[k] * field(patch.nodes[patch.place(c, k)]);
   return values;
 }
 
+/// Weights of `Patch::nodes`; those beyond its number of nodes are zero.
+using NodeWeights = std::array<double, 27>;
+
+/// The weights that give the value with these shape values of the patch.
+NodeWeights node_weights(const Patch &, const std::array<double, 9> &shapes);
+
+/// The field with the given weights of the patch's nodes.
+template <class Field>
+Point3 weighted_sum(const Patch &patch, const NodeWeights &weights, const Field &field)
+{
+  Point3 value;
+  for (std::size_t b = 0; b < patch.nodes.size(); ++b)
+    value += weights[b] * field(patch.nodes[b]);
+  return value;
+}
+
 /// The parameters in `neighbour` of a point xi on the common side, `side` of the patch.
-Parameters2 across(const Parameters2 &xi, int side, const Neighbour &, const PrimaryPatch &neighbour);
+Parameters2 across(const Parameters2 &xi, int side, const Neighbour &, const Patch &neighbour);
 
 /// The part of a patch within its range as a patch of its own; biquadratic again, so nothing is lost.
 PatchNodes within_range(const PatchNodes &, const PatchRange &);

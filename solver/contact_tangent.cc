@@ -44,20 +44,20 @@ ContactBlock::NormalForm normal_form(const ClosestPoint &c, double stiffness, do
 
 /// One point's part of the tangent, in the order in which blocks are filled: exactly one of the pointers is set.
 struct Part {
-  std::uint32_t face, cell, patch;
+  std::uint32_t secondary, cell, primary; ///< patch, cell of the primary patch, patch
   const NormalContact *normal;
   const SlidingContact *sliding;
 
-  bool same_block(const Part &other) const { return face == other.face && cell == other.cell; }
+  bool same_block(const Part &other) const { return secondary == other.secondary && cell == other.cell; }
 
-  void add_to(ContactBlock &block, const FaceQuadrature &quadrature) const
+  void add_to(ContactBlock &block) const
   {
     if (normal) {
       const PairedPoint &p = normal->point;
-      block.add_normal(quadrature.shapes[p.point].value, patch_shapes(p.closest.xi), p.closest.normal,
+      block.add_normal(p.own == secondary, patch_shapes(p.own_xi).value, patch_shapes(p.closest.xi), p.closest.normal,
                        normal_form(p.closest, normal->stiffness, normal->force));
     } else
-      block.add_sliding(quadrature.shapes[sliding->point->point].value, sliding->point->weights, sliding->stiffness);
+      block.add_sliding(sliding->point->secondary.weights, sliding->point->primary.weights, sliding->stiffness);
   }
 };
 
@@ -66,21 +66,25 @@ std::vector<Part> sorted_parts(const ContactPairing &pairing, const std::vector<
 {
   std::vector<Part> parts;
   auto cell_of = [&](std::uint32_t patch) { return pairing.patches()[patch].face.cell; };
-  for (const NormalContact &n : normal)
-    parts.push_back({n.point.face, cell_of(n.point.patch), n.point.patch, &n, nullptr});
-  for (const SlidingContact &s : sliding)
-    parts.push_back({s.point->face, cell_of(s.point->patch), s.point->patch, nullptr, &s});
+  for (const NormalContact &n : normal) {
+    const auto [secondary, primary] = std::minmax(n.point.own, n.point.patch); // secondary patches come first
+    parts.push_back({secondary, cell_of(primary), primary, &n, nullptr});
+  }
+  for (const SlidingContact &s : sliding) {
+    const std::uint32_t primary = s.point->primary.patch;
+    parts.push_back({s.point->secondary.patch, cell_of(primary), primary, nullptr, &s});
+  }
   std::stable_sort(parts.begin(), parts.end(), [](const Part &a, const Part &b) {
-    return std::tie(a.face, a.cell, a.patch) < std::tie(b.face, b.cell, b.patch);
+    return std::tie(a.secondary, a.cell, a.primary) < std::tie(b.secondary, b.cell, b.primary);
   });
   return parts;
 }
 
-std::array<Node, 36> block_nodes(const SecondaryFace &face, const PrimaryPatch &patch)
+std::array<Node, 36> block_nodes(const Patch &secondary, const Patch &primary)
 {
   std::array<Node, 36> nodes;
-  const auto end_of_face = std::copy(face.nodes.begin(), face.nodes.end(), nodes.begin());
-  std::copy(patch.cell_nodes.begin(), patch.cell_nodes.end(), end_of_face);
+  const auto end_of_face = std::copy(secondary.nodes.begin(), secondary.nodes.end(), nodes.begin());
+  std::copy(primary.nodes.begin(), primary.nodes.end(), end_of_face);
   return nodes;
 }
 
@@ -93,13 +97,13 @@ void add_contact_tangent(const ContactPairing &pairing, const std::vector<Normal
   const auto block = std::make_unique<ContactBlock>();
   for (std::size_t k = 0; k < parts.size(); ++k) {
     const Part &part = parts[k];
-    const PrimaryPatch &patch = pairing.patches()[part.patch];
-    part.add_to(*block, pairing.quadrature());
+    const Patch &primary = pairing.patches()[part.primary];
+    part.add_to(*block);
     const bool block_ends = k + 1 == parts.size() || !part.same_block(parts[k + 1]);
-    if (block_ends || parts[k + 1].patch != part.patch)
-      block->spread(patch);
+    if (block_ends || parts[k + 1].primary != part.primary)
+      block->spread(primary);
     if (block_ends) {
-      assembly.add_tangent(block_nodes(pairing.faces()[part.face], patch), block->values());
+      assembly.add_tangent(block_nodes(pairing.patches()[part.secondary], primary), block->values());
       block->clear();
     }
   }

@@ -40,12 +40,11 @@ ContactSummary &ContactSummary::operator+=(const ContactSummary &other)
 ContactWork::ContactWork(const Mesh &mesh, const ContactPair &pair,
                          const std::function<bool(std::uint32_t cell)> &owned, const ContactOptions &options)
     : pairing_(mesh, pair, owned, options.margin), law_{pair.stiffness, pair.onset}, options_(options),
-      friction_(pair.friction), slip_velocity_(pair.slip_velocity), n_primary_surfaces_(pair.primary.size()),
-      stored_pressure_(pairing_.faces().size() * pairing_.quadrature().size(), 0.)
+      friction_(pair.friction), viscous_velocity_(pair.viscous_velocity),
+      n_primary_surfaces_(pair.primary.size()), friction_law_{pair.elastic_slip},
+      stored_pressure_(pairing_.n_points(), 0.)
 {
 }
-
-double ContactWork::area(const PairedPoint &p) const { return pairing_.faces()[p.face].area[p.point]; }
 
 template <class Visit>
 void ContactWork::for_each_touching(const State &state, Visit visit) const
@@ -69,15 +68,40 @@ void ContactWork::begin_step(const State &start, const Step &step)
   pairing_.begin_step();
   search(start);
   couplings_changed_ = couplings_changed_ || had_couplings;
-  friction_law_.sticking_slip = std::max(slip_velocity_ * step.dt, 1e-6);
+  friction_law_.viscous_slip = viscous_velocity_ * step.dt;
   sliding_.clear();
   std::fill(stored_pressure_.begin(), stored_pressure_.end(), 0.);
   for_each_touching(start, [&](std::uint32_t index, const PairedPoint &p) {
     stored_pressure_[index] = law_.pressure(p.penetration);
-    const double limit = friction_ * area(p) * stored_pressure_[index];
-    if (limit > 0)
-      sliding_.push_back(sliding_point(pairing_, p, start.displacement, limit));
+    if (friction_ * stored_pressure_[index] > 0)
+      sliding_.push_back(sliding_point_at(p, start));
   });
+}
+
+SlidingPoint ContactWork::sliding_point_at(const PairedPoint &p, const State &start) const
+{
+  const double strength = friction_ * law_.pressure(p.penetration);
+  SlidingPoint s = sliding_point(pairing_, p, start.displacement, p.area * strength);
+  Point3 traction;
+  if (const std::size_t at = 3 * (first_point_ + s.number); at < start.friction.size())
+    traction = Point3({start.friction[at], start.friction[at + 1], start.friction[at + 2]});
+  s.elastic_slip = friction_law_.slip_of(into_plane(traction, s.normal) / strength);
+  return s;
+}
+
+std::size_t ContactWork::number_points_from(std::size_t first)
+{
+  first_point_ = first;
+  return first + pairing_.n_points_of_all_ranks();
+}
+
+void ContactWork::end_step(State &end) const
+{
+  for (const SlidingPoint &s : sliding_) {
+    const Point3 traction = friction_law_.remembered_force(s, slip(s, pairing_, end.displacement)) / s.area;
+    for (int i = 0; i < 3; ++i)
+      end.friction[3 * (first_point_ + s.number) + i] = traction[i];
+  }
 }
 
 void ContactWork::begin_iteration(const State &state, int iteration)
@@ -90,8 +114,8 @@ void ContactWork::begin_iteration(const State &state, int iteration)
 
 void ContactWork::add_couplings(std::vector<std::vector<Node>> &sets) const
 {
-  for (const auto &[face, cell] : pairing_.couplings()) {
-    const auto &nodes = pairing_.faces()[face].nodes;
+  for (const auto &[secondary, cell] : pairing_.couplings()) {
+    const auto &nodes = pairing_.patches()[secondary].nodes;
     const auto &cell_nodes = pairing_.mesh().cells[cell];
     auto &set = sets.emplace_back(nodes.begin(), nodes.end());
     set.insert(set.end(), cell_nodes.begin(), cell_nodes.end());
@@ -100,30 +124,31 @@ void ContactWork::add_couplings(std::vector<std::vector<Node>> &sets) const
 
 Point3 ContactWork::friction_force(const SlidingPoint &s, const State &state) const
 {
-  return friction_law_.force(s.limit, slip(s, pairing_, state.displacement));
+  return friction_law_.force(s, slip(s, pairing_, state.displacement));
 }
 
 double ContactWork::energy(const State &state) const
 {
   double sum = 0;
-  for_each_touching(state, [&](std::uint32_t, const PairedPoint &p) { sum += area(p) * law_.energy(p.penetration); });
+  for_each_touching(state, [&](std::uint32_t, const PairedPoint &p) { sum += p.area * law_.energy(p.penetration); });
   for (const SlidingPoint &s : sliding_)
-    sum += friction_law_.energy(s.limit, slip(s, pairing_, state.displacement));
+    sum += friction_law_.energy(s, slip(s, pairing_, state.displacement));
   return sum;
 }
 
 void ContactWork::residual(const State &state, Assembly &assembly) const
 {
+  const auto &patches = pairing_.patches();
   ForceBuffer buffer(pairing_);
   for_each_touching(state, [&](std::uint32_t, const PairedPoint &p) {
-    const Point3 force = area(p) * law_.pressure(p.penetration) * p.closest.normal;
-    buffer.add_face(p.face, pairing_.quadrature().shapes[p.point].value, -force);
-    buffer.add_patch(p.patch, patch_shapes(p.closest.xi).value, force);
+    const Point3 force = p.area * law_.pressure(p.penetration) * p.closest.normal;
+    buffer.add(p.own, node_weights(patches[p.own], patch_shapes(p.own_xi).value), -force);
+    buffer.add(p.patch, node_weights(patches[p.patch], patch_shapes(p.closest.xi).value), force);
   });
   for (const SlidingPoint &s : sliding_) {
     const Point3 force = friction_force(s, state);
-    buffer.add_face(s.face, pairing_.quadrature().shapes[s.point].value, force);
-    buffer.add_cell(s.patch, s.weights, -force);
+    buffer.add(s.secondary.patch, s.secondary.weights, force);
+    buffer.add(s.primary.patch, s.primary.weights, -force);
   }
   buffer.flush(assembly);
 }
@@ -133,11 +158,11 @@ void ContactWork::tangent(const State &state, Assembly &assembly) const
   std::vector<NormalContact> normal;
   for_each_touching(state, [&](std::uint32_t index, const PairedPoint &p) {
     const double stress = convex_ ? 0 : stored_pressure_[index];
-    normal.push_back({p, area(p) * law_.slope(p.penetration), area(p) * stress});
+    normal.push_back({p, p.area * law_.slope(p.penetration), p.area * stress});
   });
   std::vector<SlidingContact> sliding;
   for (const SlidingPoint &s : sliding_)
-    sliding.push_back({&s, friction_law_.tangent(s.limit, slip(s, pairing_, state.displacement), s.normal)});
+    sliding.push_back({&s, friction_law_.tangent(s, slip(s, pairing_, state.displacement))});
   add_contact_tangent(pairing_, normal, sliding, assembly);
 }
 
@@ -145,13 +170,12 @@ void ContactWork::advance(const State &from, std::span<const double> increment, 
 {
   std::fill(stored_pressure_.begin(), stored_pressure_.end(), 0.);
   const NodalField field = {increment};
-  std::vector<PatchNodes> patch_increments;
-  for (const PrimaryPatch &patch : pairing_.patches())
-    patch_increments.push_back(at_depth(patch, field));
+  std::vector<PatchNodes> increments;
+  for (const Patch &patch : pairing_.patches())
+    increments.push_back(at_depth(patch, field));
   for_each_touching(from, [&](std::uint32_t index, const PairedPoint &p) {
-    const PatchNodes face_increment = at_nodes(pairing_.faces()[p.face].nodes, field);
-    const Point3 relative = interpolate(face_increment, pairing_.quadrature().shapes[p.point].value) -
-                            interpolate(patch_increments[p.patch], patch_shapes(p.closest.xi).value);
+    const Point3 relative = interpolate(increments[p.own], patch_shapes(p.own_xi).value) -
+                            interpolate(increments[p.patch], patch_shapes(p.closest.xi).value);
     const double predicted =
         law_.pressure(p.penetration) - law_.slope(p.penetration) * fraction * (p.closest.normal * relative);
     stored_pressure_[index] = std::max(predicted, 0.);
@@ -167,18 +191,22 @@ ContactSummary ContactWork::summary(const State &state) const
 {
   ContactSummary summary;
   summary.primary_force.resize(n_primary_surfaces_, Vector3{});
-  auto add = [&](std::uint32_t patch, const Point3 &force_on_secondary) {
-    summary.primary_force[pairing_.patches()[patch].surface] += -force_on_secondary;
+  auto add = [&](std::uint32_t primary, const Point3 &force_on_secondary) {
+    summary.primary_force[pairing_.patches()[primary].surface] += -force_on_secondary;
     summary.secondary_force += force_on_secondary;
   };
   for_each_touching(state, [&](std::uint32_t, const PairedPoint &p) {
-    add(p.patch, area(p) * law_.pressure(p.penetration) * p.closest.normal);
-    summary.area += area(p);
+    const Point3 force = p.area * law_.pressure(p.penetration) * p.closest.normal;
+    if (pairing_.is_secondary(p.own))
+      add(p.patch, force);
+    else
+      add(p.own, -force);
+    summary.area += p.area;
     summary.penetration = std::max(summary.penetration, p.penetration);
     ++summary.points;
   });
   for (const SlidingPoint &s : sliding_)
-    add(s.patch, -friction_force(s, state));
+    add(s.primary.patch, -friction_force(s, state));
   return summary;
 }
 
@@ -186,8 +214,12 @@ std::vector<ContactPoint> ContactWork::contact_points(const State &state) const
 {
   std::vector<ContactPoint> points;
   for_each_touching(state, [&](std::uint32_t, const PairedPoint &p) {
-    points.push_back({pairing_.faces()[p.face].face, pairing_.patches()[p.patch].face, to_array(p.position), area(p),
-                      law_.pressure(p.penetration), p.penetration});
+    const Face own = pairing_.patches()[p.own].face, other = pairing_.patches()[p.patch].face;
+    const Point3 closest = p.position - p.closest.distance * p.closest.normal;
+    const bool felt_by_secondary = pairing_.is_secondary(p.own);
+    points.push_back({felt_by_secondary ? own : other, felt_by_secondary ? other : own,
+                      to_array(felt_by_secondary ? p.position : closest), p.area, law_.pressure(p.penetration),
+                      p.penetration});
   });
   return points;
 }

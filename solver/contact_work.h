@@ -18,7 +18,7 @@ struct ContactOptions {
 struct ContactSummary {
   std::vector<Vector3> primary_force; ///< N, on each primary surface in the order of the pair's names
   Vector3 secondary_force = {};       ///< N, on the secondary surface
-  double area = 0;                    ///< mm^2 of reference area in contact
+  double area = 0;                    ///< mm^2 of reference area in contact; of two passes the mean
   double penetration = 0;             ///< mm, the largest
   std::size_t points = 0;             ///< quadrature points in contact
 
@@ -28,23 +28,25 @@ struct ContactSummary {
 /// One quadrature point in contact.
 struct ContactPoint {
   Face secondary, primary;
-  Vector3 position;   ///< mm, present
-  double area;        ///< mm^2, reference
+  Vector3 position;   ///< mm, present, on the secondary surface
+  double area;        ///< mm^2 of reference area the point stands for, half of it with two passes
   double pressure;    ///< MPa per reference area
   double penetration; ///< mm
 };
 
-/// Contact of the secondary surface's quadrature points with the primary surface moved back into its
-/// body by the pair's thickness: energy = area * law(thickness - distance), distance unsigned. Derivatives by the
-/// implicit function theorem, exact and symmetric. Coulomb friction with the normal force and the contact point of the
-/// step's start, as an incremental potential.
+/// Contact of the secondary surface with the primary surface moved back into its body by the pair's thickness: energy =
+/// sum of area * law(thickness - distance) over quadrature points, distance unsigned. With one pass the points are on
+/// the secondary surface and look for the closest point of the primary one; with two passes points of the primary
+/// surface look for the secondary one too, and each pass has half the area. Derivatives by the implicit function
+/// theorem, exact and symmetric. Coulomb friction with the normal force and the contact point of the step's start, as
+/// an incremental potential; its tractions are part of the state.
 ///
 /// The tangent's geometric part uses a stored contact pressure that follows the linear prediction of each increment
 /// (advance) instead of the one of the state, as in Magisano et al. (2017) for stresses: residual and energy are exact.
 class ContactWork : public VirtualWork
 {
 public:
-  /// `mesh` must outlive this. `owned`: cells whose secondary faces are this rank's.
+  /// `mesh` must outlive this. `owned`: cells whose points are this rank's.
   ContactWork(const Mesh &mesh, const ContactPair &pair, const std::function<bool(std::uint32_t cell)> &owned,
               const ContactOptions &options = {});
 
@@ -61,6 +63,11 @@ public:
   void advance(const State &from, std::span<const double> increment, double fraction) override;
   double largest_step(const State &, std::span<const double> increment) const override;
 
+  /// Numbers the contact points of all ranks from here on in State::friction; returns where the next pair begins.
+  std::size_t number_points_from(std::size_t first);
+  /// Writes the tractions of friction at the end of a step, this rank's part, MPa.
+  void end_step(State &end) const;
+
   /// Forces and extent of the contact in a state, this rank's part. Friction is the one of the present step: ask before
   /// the next begin_step.
   ContactSummary summary(const State &) const;
@@ -71,17 +78,18 @@ private:
   contact::ContactPairing pairing_;
   ContactLaw law_;
   ContactOptions options_;
-  double friction_, slip_velocity_;
+  double friction_, viscous_velocity_;
+  std::size_t first_point_ = 0;
   std::size_t n_primary_surfaces_;
   bool couplings_changed_ = false, convex_ = false;
-  contact::FrictionLaw friction_law_ = {1};
+  contact::FrictionLaw friction_law_;
   std::vector<contact::SlidingPoint> sliding_;
-  std::vector<double> stored_pressure_; ///< MPa, one per secondary point
+  std::vector<double> stored_pressure_; ///< MPa, one per point
 
   void search(const State &);
-  double area(const contact::PairedPoint &) const;
   template <class Visit>
   void for_each_touching(const State &, Visit visit) const;
+  contact::SlidingPoint sliding_point_at(const contact::PairedPoint &, const State &start) const;
   contact::Point3 friction_force(const contact::SlidingPoint &, const State &) const;
 };
 

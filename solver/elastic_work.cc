@@ -6,30 +6,6 @@
 namespace ballonet::solver
 {
 
-/// R_p = int N (J - 1 - p / kappa), M = int N N^T / kappa, L = d R_p / d u of one cell.
-struct ElasticWork::PressureSystem {
-  std::array<double, n_pressures> residual{};
-  std::array<double, n_pressures * n_pressures> mass{};
-  std::array<double, n_pressures * n_cell_values> coupling{};
-
-  /// M^-1 (R_p + L du): the pressure increment that belongs to du.
-  std::array<double, n_pressures> increment(const CellVector *du) const
-  {
-    auto rhs = residual;
-    if (du)
-      for (int i = 0; i < n_pressures; ++i)
-        for (int j = 0; j < n_cell_values; ++j)
-          rhs[i] += coupling[i * n_cell_values + j] * (*du)[j];
-    auto inverse = mass;
-    invert_spd(n_pressures, inverse.data());
-    std::array<double, n_pressures> p{};
-    for (int i = 0; i < n_pressures; ++i)
-      for (int j = 0; j < n_pressures; ++j)
-        p[i] += inverse[i * n_pressures + j] * rhs[j];
-    return p;
-  }
-};
-
 ElasticWork::ElasticWork(const Discretization &discretization, std::uint32_t body, std::unique_ptr<MaterialLaw> law,
                          double relaxation_time, bool mixed)
     : discretization_(discretization), law_(std::move(law)), relaxation_time_(relaxation_time), mixed_(mixed)
@@ -50,7 +26,20 @@ ElasticWork::ElasticWork(const Discretization &discretization, std::uint32_t bod
         cell.pressure_shape[q] = {1, scale * (X[0] - centre[0] / volume), scale * (X[1] - centre[1] / volume),
                                   scale * (X[2] - centre[2] / volume)};
       }
+      if (mixed)
+        invert_mass(cell);
     }
+}
+
+void ElasticWork::invert_mass(Cell &cell) const
+{
+  cell.inverse_mass = {};
+  for (int q = 0; q < n_points; ++q)
+    for (int i = 0; i < n_pressures; ++i)
+      for (int j = 0; j < n_pressures; ++j)
+        cell.inverse_mass[n_pressures * i + j] +=
+            cell.quadrature.weight[q] / law_->bulk_modulus() * cell.pressure_shape[q][i] * cell.pressure_shape[q][j];
+  invert_spd(n_pressures, cell.inverse_mass.data());
 }
 
 CellVector ElasticWork::local(const Cell &cell, std::span<const double> field) const
@@ -62,10 +51,7 @@ MaterialLaw::Point ElasticWork::material(const Cell &cell, int q, const Voigt &C
 {
   auto point = mixed_ ? law_->evaluate_isochoric(C) : law_->evaluate(C);
   if (mixed_) {
-    double pressure = 0;
-    for (int i = 0; i < n_pressures; ++i)
-      pressure += cell.pressure_shape[q][i] * cell.pressure[i];
-    const double J = std::sqrt(determinant(C));
+    const double pressure = pressure_at(cell, q, cell.pressure), J = std::sqrt(determinant(C));
     const Voigt A = inverse(C);
     point.energy += pressure * (J - 1) - pressure * pressure / (2 * law_->bulk_modulus());
     for (int i = 0; i < 6; ++i)
@@ -89,40 +75,56 @@ MaterialLaw::Point ElasticWork::material(const Cell &cell, int q, const Voigt &C
   return point;
 }
 
-ElasticWork::PressureSystem ElasticWork::pressure_system(const Cell &cell, const CellVector &u) const
+double ElasticWork::pressure_at(const Cell &cell, int q, const Pressures &p)
 {
-  PressureSystem system;
+  const auto &N = cell.pressure_shape[q];
+  return N[0] * p[0] + N[1] * p[1] + N[2] * p[2] + N[3] * p[3];
+}
+
+Voigt ElasticWork::stress_of(double pressure, const Voigt &C)
+{
+  const double J = std::sqrt(determinant(C));
+  Voigt S = inverse(C);
+  for (double &value : S)
+    value *= pressure * J;
+  return S;
+}
+
+ElasticWork::Pressures ElasticWork::pressure_increment(const Cell &cell, const CellVector &u,
+                                                       const CellVector *du) const
+{
+  Pressures rhs{}, increment{};
   for (int q = 0; q < n_points; ++q) {
     const auto &G = cell.quadrature.gradient[q];
     const Matrix3 F = deformation_gradient(G, u);
-    const double w = cell.quadrature.weight[q], J = determinant(F);
-    const auto &N = cell.pressure_shape[q];
-    double pressure = 0;
+    double miss = determinant(F) - 1 - pressure_at(cell, q, cell.pressure) / law_->bulk_modulus();
+    if (du)
+      miss += dot(cofactor(F), gradient(G, *du));
     for (int i = 0; i < n_pressures; ++i)
-      pressure += N[i] * cell.pressure[i];
-    const Matrix3 cofactor = {F[4] * F[8] - F[5] * F[7], F[5] * F[6] - F[3] * F[8], F[3] * F[7] - F[4] * F[6],
-                              F[2] * F[7] - F[1] * F[8], F[0] * F[8] - F[2] * F[6], F[1] * F[6] - F[0] * F[7],
-                              F[1] * F[5] - F[2] * F[4], F[2] * F[3] - F[0] * F[5], F[0] * F[4] - F[1] * F[3]};
-    for (int i = 0; i < n_pressures; ++i) {
-      system.residual[i] += w * N[i] * (J - 1 - pressure / law_->bulk_modulus());
-      for (int j = 0; j < n_pressures; ++j)
-        system.mass[n_pressures * i + j] += w * N[i] * N[j] / law_->bulk_modulus();
-    }
-    for (int a = 0; a < n_cell_nodes; ++a)
-      for (int m = 0; m < 3; ++m) {
-        const double dJ = cofactor[3 * m] * G[a][0] + cofactor[3 * m + 1] * G[a][1] + cofactor[3 * m + 2] * G[a][2];
-        for (int i = 0; i < n_pressures; ++i)
-          system.coupling[i * n_cell_values + 3 * a + m] += w * N[i] * dJ;
-      }
+      rhs[i] += cell.quadrature.weight[q] * cell.pressure_shape[q][i] * miss;
   }
-  return system;
+  for (int i = 0; i < n_pressures; ++i)
+    for (int j = 0; j < n_pressures; ++j)
+      increment[i] += cell.inverse_mass[n_pressures * i + j] * rhs[j];
+  return increment;
 }
 
-void ElasticWork::solve_pressures(Cell &cell, const CellVector &u) const
+void ElasticWork::add_condensed_pressures(const Cell &cell, const CellVector &u, CellMatrix &K) const
 {
-  const auto increment = pressure_system(cell, u).increment(nullptr);
-  for (int i = 0; i < n_pressures; ++i)
-    cell.pressure[i] += increment[i];
+  std::array<double, n_pressures * n_cell_values> L{}, ML{};
+  for (int q = 0; q < n_points; ++q) {
+    const auto &G = cell.quadrature.gradient[q];
+    const Matrix3 c = cofactor(deformation_gradient(G, u));
+    CellVector dJ;
+    for (int a = 0; a < n_cell_nodes; ++a)
+      for (int m = 0; m < 3; ++m)
+        dJ[3 * a + m] = c[3 * m] * G[a][0] + c[3 * m + 1] * G[a][1] + c[3 * m + 2] * G[a][2];
+    for (int i = 0; i < n_pressures; ++i)
+      for (int j = 0; j < n_cell_values; ++j)
+        L[i * n_cell_values + j] += cell.quadrature.weight[q] * cell.pressure_shape[q][i] * dJ[j];
+  }
+  add_transposed_product(n_pressures, n_cell_values, n_pressures, cell.inverse_mass.data(), L.data(), ML.data());
+  add_transposed_product(n_cell_values, n_cell_values, n_pressures, L.data(), ML.data(), K.data());
 }
 
 void ElasticWork::begin_step(const State &start, const Step &step)
@@ -130,8 +132,11 @@ void ElasticWork::begin_step(const State &start, const Step &step)
   viscosity_ = 2 * law_->shear_modulus() * relaxation_time_ / step.dt;
   for (auto &cell : cells_) {
     const auto u = local(cell, start.displacement);
-    if (mixed_)
-      solve_pressures(cell, u);
+    if (mixed_) {
+      const auto increment = pressure_increment(cell, u);
+      for (int i = 0; i < n_pressures; ++i)
+        cell.pressure[i] += increment[i];
+    }
     for (int q = 0; q < n_points; ++q) {
       const Voigt C = right_cauchy_green(deformation_gradient(cell.quadrature.gradient[q], u));
       cell.start_strain[q] = green_strain(C);
@@ -178,11 +183,15 @@ void ElasticWork::residual(const State &state, Assembly &out) const
 {
   for (const auto &cell : cells_) {
     const auto u = local(cell, state.displacement);
+    const Pressures condensed = mixed_ ? pressure_increment(cell, u) : Pressures{}; // R_u + L^T M^-1 R_p
     CellVector r{};
     for (int q = 0; q < n_points; ++q) {
       const auto &G = cell.quadrature.gradient[q];
       const Matrix3 F = deformation_gradient(G, u);
-      const Voigt S = material(cell, q, right_cauchy_green(F)).stress;
+      const Voigt C = right_cauchy_green(F), Sp = stress_of(pressure_at(cell, q, condensed), C);
+      Voigt S = material(cell, q, C).stress;
+      for (int i = 0; i < 6; ++i)
+        S[i] += Sp[i];
       Matrix3 P{};
       for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j)
@@ -192,62 +201,25 @@ void ElasticWork::residual(const State &state, Assembly &out) const
         for (int i = 0; i < 3; ++i)
           r[3 * a + i] += P[3 * i] * G[a][0] + P[3 * i + 1] * G[a][1] + P[3 * i + 2] * G[a][2];
     }
-    if (mixed_) { // condensed: R_u + L^T M^-1 R_p
-      const auto system = pressure_system(cell, u);
-      const auto increment = system.increment(nullptr);
-      for (int i = 0; i < n_pressures; ++i)
-        for (int j = 0; j < n_cell_values; ++j)
-          r[j] += system.coupling[i * n_cell_values + j] * increment[i];
-    }
     out.add_residual(discretization_.mesh().cells[cell.index], r);
   }
 }
 
 void ElasticWork::tangent(const State &state, Assembly &out) const
 {
-  static thread_local std::array<double, 6 * n_points * n_cell_values> B, DB;
-  static thread_local std::array<double, 3 * n_points * n_cell_nodes> G_all, SG;
+  static thread_local CellStiffness stiffness;
+  static thread_local CellMatrix K;
   for (const auto &cell : cells_) {
     const auto u = local(cell, state.displacement);
     for (int q = 0; q < n_points; ++q) {
       const auto &G = cell.quadrature.gradient[q];
-      const double w = cell.quadrature.weight[q];
       const Matrix3 F = deformation_gradient(G, u);
-      const auto point = material(cell, q, right_cauchy_green(F));
-      double *b = &B[6 * q * n_cell_values], *db = &DB[6 * q * n_cell_values];
-      strain_displacement(F, G, b);
-      std::fill_n(db, 6 * n_cell_values, 0.);
-      for (int i = 0; i < 6; ++i)
-        for (int j = 0; j < 6; ++j) {
-          const double d = w * point.tangent[6 * i + j];
-          for (int n = 0; n < n_cell_values; ++n)
-            db[i * n_cell_values + n] += d * b[j * n_cell_values + n];
-        }
-      for (int i = 0; i < 3; ++i)
-        for (int a = 0; a < n_cell_nodes; ++a) {
-          double sum = 0;
-          for (int j = 0; j < 3; ++j)
-            sum += cell.stress[q][voigt_index[i][j]] * G[a][j];
-          G_all[(3 * q + i) * n_cell_nodes + a] = G[a][i];
-          SG[(3 * q + i) * n_cell_nodes + a] = w * sum;
-        }
+      const auto tangent = material(cell, q, right_cauchy_green(F)).tangent;
+      stiffness.set_point(q, cell.quadrature.weight[q], G, first_elasticity_tensor(F, cell.stress[q], tangent));
     }
-    std::array<double, n_cell_values * n_cell_values> K{};
-    std::array<double, n_cell_nodes * n_cell_nodes> geometric{};
-    add_transposed_product(n_cell_values, n_cell_values, 6 * n_points, B.data(), DB.data(), K.data());
-    add_transposed_product(n_cell_nodes, n_cell_nodes, 3 * n_points, G_all.data(), SG.data(), geometric.data());
-    for (int a = 0; a < n_cell_nodes; ++a)
-      for (int b = 0; b < n_cell_nodes; ++b)
-        for (int i = 0; i < 3; ++i)
-          K[(3 * a + i) * n_cell_values + 3 * b + i] += geometric[a * n_cell_nodes + b];
-    if (mixed_) { // + L^T M^-1 L
-      auto system = pressure_system(cell, u);
-      invert_spd(n_pressures, system.mass.data());
-      std::array<double, n_pressures * n_cell_values> ML{};
-      add_transposed_product(n_pressures, n_cell_values, n_pressures, system.mass.data(), system.coupling.data(),
-                             ML.data());
-      add_transposed_product(n_cell_values, n_cell_values, n_pressures, system.coupling.data(), ML.data(), K.data());
-    }
+    stiffness.sum(K);
+    if (mixed_)
+      add_condensed_pressures(cell, u, K);
     out.add_tangent(discretization_.mesh().cells[cell.index], K);
   }
 }
@@ -256,23 +228,16 @@ void ElasticWork::advance(const State &from, std::span<const double> increment, 
 {
   for (auto &cell : cells_) {
     const auto u = local(cell, from.displacement), du = local(cell, increment);
-    std::array<double, n_pressures> dp{};
-    if (mixed_)
-      dp = pressure_system(cell, u).increment(&du);
+    const Pressures dp = mixed_ ? pressure_increment(cell, u, &du) : Pressures{};
     for (int q = 0; q < n_points; ++q) {
       const auto &G = cell.quadrature.gradient[q];
       const Matrix3 F = deformation_gradient(G, u);
       const Voigt C = right_cauchy_green(F);
       const auto point = material(cell, q, C);
       const Voigt dS = multiply(point.tangent, strain_increment(F, gradient(G, du)));
-      const double J = std::sqrt(determinant(C));
-      const Voigt A = inverse(C);
-      for (int i = 0; i < 6; ++i) {
-        double change = point.stress[i] + dS[i] - cell.stress[q][i];
-        for (int k = 0; k < n_pressures; ++k)
-          change += J * A[i] * cell.pressure_shape[q][k] * dp[k];
-        cell.stress[q][i] += fraction * change;
-      }
+      const Voigt Sp = stress_of(pressure_at(cell, q, dp), C);
+      for (int i = 0; i < 6; ++i)
+        cell.stress[q][i] += fraction * (point.stress[i] + dS[i] + Sp[i] - cell.stress[q][i]);
     }
     for (int i = 0; i < n_pressures; ++i)
       cell.pressure[i] += fraction * dp[i];

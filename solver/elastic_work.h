@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
-#include "solver/cell_kinematics.h"
+#include "solver/cell_stiffness.h"
 #include "solver/material.h"
 #include "solver/virtual_work.h"
 
@@ -38,20 +38,28 @@ public:
 
 private:
   static constexpr int n_pressures = 4;
+  using Pressures = std::array<double, n_pressures>;
   struct Cell {
     std::uint32_t index;
     CellQuadrature quadrature;
-    std::array<std::array<double, n_pressures>, n_points> pressure_shape; ///< 1 and centred X, Y, Z
-    std::array<double, n_pressures> pressure{};
+    std::array<Pressures, n_points> pressure_shape;             ///< 1 and centred X, Y, Z
+    std::array<double, n_pressures * n_pressures> inverse_mass; ///< M^-1 with M = int N N^T / kappa
+    Pressures pressure{};
     std::array<Voigt, n_points> stress{};        ///< Newton quantity of the geometric stiffness
     std::array<Voigt, n_points> start_strain{};  ///< E_n
     std::array<Voigt, n_points> start_inverse{}; ///< A = C_n^-1
   };
-  struct PressureSystem;
 
   MaterialLaw::Point material(const Cell &cell, int point, const Voigt &C, bool viscous = true) const;
-  PressureSystem pressure_system(const Cell &cell, const CellVector &u) const;
-  void solve_pressures(Cell &cell, const CellVector &u) const;
+  void invert_mass(Cell &cell) const;
+  /// Value at a Gauss point of the linear pressure with these coefficients.
+  static double pressure_at(const Cell &cell, int point, const Pressures &coefficients);
+  /// p J A, the stress of a pressure.
+  static Voigt stress_of(double pressure, const Voigt &C);
+  /// M^-1 (R_p + L du) with R_p = int N (J - 1 - p / kappa), L = d R_p / d u: the pressures' change that belongs to du.
+  Pressures pressure_increment(const Cell &cell, const CellVector &u, const CellVector *du = nullptr) const;
+  /// K += L^T M^-1 L
+  void add_condensed_pressures(const Cell &cell, const CellVector &u, CellMatrix &K) const;
   CellVector local(const Cell &cell, std::span<const double> field) const;
 
   const Discretization &discretization_;

@@ -2,6 +2,7 @@
 #include "solver/equilibrium.h"
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 #include <stdexcept>
 
 namespace ballonet::solver
@@ -28,6 +29,7 @@ Equilibrium::Equilibrium(const Parameters &parameters, const Mesh &mesh, MPI_Com
   for (const auto &pair : parameters.contact_pairs) {
     contacts_.push_back(
         std::make_unique<ContactWork>(mesh, pair, [this](std::uint32_t cell) { return discretization_.owns(cell); }));
+    n_contact_points_ = contacts_.back()->number_points_from(n_contact_points_);
     checks_.push_back(std::make_unique<PenetrationCheck>(mesh, pair, pair.penetration_limit));
   }
   if (parameters.cavity)
@@ -42,7 +44,10 @@ Equilibrium::Equilibrium(const Parameters &parameters, const Mesh &mesh, MPI_Com
   works_.push_back(inertia_.get());
   if (cavity_)
     works_.push_back(cavity_.get());
-  newton_ = std::make_unique<NewtonSolver>(system_, works_, cavity_.get(), comm, parameters.newton);
+  std::vector<VirtualWork *> loads;
+  for (const auto &load : loads_)
+    loads.push_back(load.get());
+  newton_ = std::make_unique<NewtonSolver>(system_, works_, loads, cavity_.get(), comm, parameters.newton);
 }
 
 Equilibrium::~Equilibrium() = default;
@@ -75,7 +80,7 @@ void Equilibrium::build_loads(const std::vector<double> &mass)
 State Equilibrium::initial_state() const
 {
   const std::vector<double> zeros(3 * discretization_.n_nodes());
-  return {zeros, zeros, zeros, 0, 0};
+  return {zeros, zeros, zeros, std::vector<double>(3 * n_contact_points_), 0, 0};
 }
 
 /// Nodal masses, t, summed over the ranks.
@@ -88,12 +93,20 @@ std::vector<double> Equilibrium::total_mass() const
   return mass;
 }
 
+bool Equilibrium::moves_a_support() const
+{
+  return std::any_of(parameters_.supports.begin(), parameters_.supports.end(), [](const Support &support) {
+    return std::any_of(support.move.begin(), support.move.end(), [](const auto &way) { return way && *way != 0; });
+  });
+}
+
 void Equilibrium::release(State &state)
 {
   const Prescribed held = prescribed(1);
-  if (std::any_of(held.begin(), held.end(), [](double value) { return value != 0 && !std::isnan(value); }))
+  if (moves_a_support())
     throw std::invalid_argument("path.control = \"release\" lets go of a body at rest; it cannot move a support");
   const auto mass = total_mass();
+  state.load_factor = 1;
   for (auto *work : works_)
     work->begin_step(state, {.dt = infinity});
   const auto forces = newton_->forces(state);
@@ -117,25 +130,61 @@ Prescribed Equilibrium::prescribed(double load_factor) const
 
 NewtonSolver::Outcome Equilibrium::solve(State &state, const Step &step, const NewtonSolver::Target &target)
 {
+  if (target.what == NewtonSolver::Prescribe::arc_length && !cavity_ && moves_a_support())
+    throw std::invalid_argument("path.control = \"arc_length\" follows the load factor of loads; it cannot move a "
+                                "support (that is control = \"load\")");
   system_.prescribe(prescribed(step.load_factor));
   for (auto *work : works_)
     work->begin_step(state, step);
   State end = state;
+  end.load_factor = step.load_factor;
   auto outcome = newton_->solve(end, target);
   if (outcome.converged) {
     inertia_->end_step(end);
+    remember_friction(end);
     state = std::move(end);
+  } else if (outcome.restless) {
+    outcome.reason += "; what moves most is " + place_of(*outcome.restless, end);
   }
   return outcome;
 }
 
-/// The tangent of a step that starts at `state`, there.
-void Equilibrium::factorise_tangent(const State &state, const Step &step)
+/// A node in words: where it is, in which body, on which surfaces of contact pairs.
+std::string Equilibrium::place_of(Node node, const State &state) const
 {
-  system_.prescribe(prescribed(step.load_factor));
+  const Mesh &mesh = discretization_.mesh();
+  const auto cell = std::find_if(mesh.cells.begin(), mesh.cells.end(), [&](const auto &nodes) {
+    return std::find(nodes.begin(), nodes.end(), node) != nodes.end();
+  });
+  std::ostringstream text;
+  text.precision(4);
+  text << "body \"" << mesh.bodies[mesh.cell_body[cell - mesh.cells.begin()]] << "\" at (";
+  for (int d = 0; d < 3; ++d)
+    text << mesh.nodes[node][d] + state.displacement[3 * node + d] << (d < 2 ? ", " : ") mm, element ");
+  text << cell - mesh.cells.begin();
+  for (const auto &pair : parameters_.contact_pairs)
+    for (const auto *names : {&pair.secondary, &pair.primary})
+      for (const auto &name : *names)
+        if (const auto nodes = surface_nodes(mesh, name); std::find(nodes.begin(), nodes.end(), node) != nodes.end())
+          text << ", on \"" << name << "\" of contact pair \"" << pair.name << '"';
+  return text.str();
+}
+
+void Equilibrium::remember_friction(State &end) const
+{
+  end.friction.assign(3 * n_contact_points_, 0.);
+  for (const auto &contact : contacts_)
+    contact->end_step(end);
+  MPI_Allreduce(MPI_IN_PLACE, end.friction.data(), end.friction.size(), MPI_DOUBLE, MPI_SUM, comm_);
+}
+
+/// The tangent of a step of that length that starts at `state`, there.
+void Equilibrium::factorise_tangent(const State &state, double dt)
+{
+  system_.prescribe(prescribed(state.load_factor));
   std::vector<std::vector<Node>> couplings;
   for (auto *work : works_) {
-    work->begin_step(state, step);
+    work->begin_step(state, {.dt = dt});
     work->begin_iteration(state, 0);
     work->add_couplings(couplings);
   }
@@ -149,7 +198,7 @@ std::vector<Mode> Equilibrium::modes(const State &state, const ModeRequest &requ
   if (request.volume_held && !cavity_)
     throw std::invalid_argument("modes at held volume need a cavity");
   const auto mass = total_mass();
-  factorise_tangent(state, {.dt = request.dt, .load_factor = request.load_factor});
+  factorise_tangent(state, request.dt);
   if (!request.volume_held)
     return lowest_modes(system_, mass, nullptr, request.count);
   Vec gradient = system_.create_vector();

@@ -62,7 +62,10 @@ private:
   void build_bodies();
   void build_loads(const std::vector<double> &mass);
   std::vector<double> total_mass() const;
-  void factorise_tangent(const State &state, const Step &step);
+  void factorise_tangent(const State &state, double dt);
+  bool moves_a_support() const;
+  void remember_friction(State &end) const;
+  std::string place_of(Node node, const State &state) const;
   Prescribed prescribed(double load_factor) const;
 
   const Parameters &parameters_;
@@ -77,6 +80,7 @@ private:
   std::vector<std::unique_ptr<PenetrationCheck>> checks_; ///< one per contact pair
   std::vector<VirtualWork *> works_;                      ///< all of the above
   std::unique_ptr<NewtonSolver> newton_;
+  std::size_t n_contact_points_ = 0; ///< of all pairs and ranks
 };
 
 } // namespace ballonet::solver

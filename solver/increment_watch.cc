@@ -9,9 +9,10 @@ namespace ballonet::solver
 double IncrementWatch::trusted(std::span<const double> increment, double bearable)
 {
   constexpr double growth = 2, shrink = 0.5;
-  double size = 0;
-  for (const double value : increment)
-    size = std::max(size, std::abs(value));
+  const auto largest = std::max_element(increment.begin(), increment.end(),
+                                        [](double a, double b) { return std::abs(a) < std::abs(b); });
+  largest_ = largest - increment.begin();
+  const double size = std::abs(*largest);
   ++increments_;
   if (increments_ == 1)
     first_size_ = size;

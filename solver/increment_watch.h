@@ -16,6 +16,9 @@ public:
   /// a tangent that is nearly singular and is cut down.
   double trusted(std::span<const double> increment, double bearable);
 
+  /// Index of the largest component of that increment.
+  std::size_t largest() const { return largest_; }
+
   /// Tells which fraction of that increment has been taken in the end.
   void taken(double fraction) { small_steps_ = fraction < 0.05 ? small_steps_ + 1 : 0; }
 
@@ -26,6 +29,7 @@ public:
 
 private:
   double first_size_ = 0, last_size_ = 0;
+  std::size_t largest_ = 0;
   int increments_ = 0;
   bool struggling_ = false;
   int struggles_ = 0;   ///< increments that did not shrink

@@ -230,6 +230,8 @@ bool LinearSystem::factorise(const std::vector<VirtualWork *> &works, const Stat
   return true;
 }
 
+void LinearSystem::keep_factor() { petsc(VecSet(lift_, 0)); }
+
 void LinearSystem::petsc_apply(Vec b, Vec x) const { petsc(PCApply(factor_, b, x)); }
 
 void LinearSystem::solve_held(Vec b, Vec x) const

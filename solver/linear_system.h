@@ -40,6 +40,8 @@ public:
   double clear_held(Vec vector) const;
   /// Sum of their tangents, factorised. False when MUMPS fails.
   bool factorise(const std::vector<VirtualWork *> &works, const State &state);
+  /// Leaves the last factor as it is for further solutions in which every held value is met.
+  void keep_factor();
   /// Number of negative pivots of the last factorisation.
   int negative_pivots() const { return negative_pivots_; }
   /// x = K^-1 b where the held entries of b are zero.

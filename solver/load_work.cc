@@ -64,13 +64,15 @@ double DeadLoad::energy(const State &state) const
   for (const auto node : nodes_)
     for (int d = 0; d < 3; ++d)
       work += force_[3 * node + d] * state.displacement[3 * node + d];
-  return -factor_ * work;
+  return -state.load_factor * work;
 }
 
-void DeadLoad::residual(const State &, Assembly &out) const
+void DeadLoad::residual(const State &state, Assembly &out) const
 {
   for (const auto node : nodes_) {
-    const Vector3 r = {-factor_ * force_[3 * node], -factor_ * force_[3 * node + 1], -factor_ * force_[3 * node + 2]};
+    Vector3 r;
+    for (int d = 0; d < 3; ++d)
+      r[d] = -state.load_factor * force_[3 * node + d];
     out.add_residual({&node, 1}, r);
   }
 }
@@ -84,7 +86,7 @@ FollowerLoad::FollowerLoad(const Discretization &discretization, const Load &loa
       faces_.push_back(face_nodes(discretization.mesh(), face));
 }
 
-double FollowerLoad::energy(const State &state) const { return -factor_ * pressure_ * swept_.volume(state); }
+double FollowerLoad::energy(const State &state) const { return -state.load_factor * pressure_ * swept_.volume(state); }
 
 FaceTangents FollowerLoad::tangents(const std::array<Node, n_face_nodes> &nodes, const State &state, int q) const
 {
@@ -108,7 +110,8 @@ void FollowerLoad::residual(const State &state, Assembly &out) const
       const auto t = tangents(face, state, q);
       for (int d = 0; d < 3; ++d) {
         const int e = (d + 1) % 3, f = (d + 2) % 3;
-        const double force = factor_ * pressure_ * basis.weight[q] * (t.xi[e] * t.eta[f] - t.xi[f] * t.eta[e]);
+        const double force =
+            state.load_factor * pressure_ * basis.weight[q] * (t.xi[e] * t.eta[f] - t.xi[f] * t.eta[e]);
         for (int k = 0; k < n_face_nodes; ++k)
           r[3 * k + d] += basis.value[q][k] * force;
       }
@@ -125,7 +128,7 @@ void FollowerLoad::tangent(const State &state, Assembly &out) const
     std::array<double, n * n> K{};
     for (int q = 0; q < n_face_nodes; ++q) {
       const auto t = tangents(face, state, q);
-      const double w = factor_ * pressure_ * basis.weight[q] / 2;
+      const double w = state.load_factor * pressure_ * basis.weight[q] / 2;
       for (int k = 0; k < n_face_nodes; ++k)
         for (int l = 0; l < n_face_nodes; ++l)
           for (int d = 0; d < 3; ++d)

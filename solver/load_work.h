@@ -14,13 +14,12 @@ struct FaceTangents {
   Vector3 xi{}, eta{};
 };
 
-/// Dead forces on nodes, scaled with the load factor of the step: weight and dead tractions.
+/// Dead forces on nodes, scaled with the load factor of the state: weight and dead tractions.
 class DeadLoad : public VirtualWork
 {
 public:
   DeadLoad(const Discretization &discretization, const std::vector<double> &mass, const Vector3 &gravity,
            const std::vector<Load> &loads);
-  void begin_step(const State &, const Step &step) override { factor_ = step.load_factor; }
   double energy(const State &state) const override;
   void residual(const State &state, Assembly &out) const override;
   void tangent(const State &, Assembly &) const override {}
@@ -28,7 +27,6 @@ public:
 private:
   std::vector<double> force_; ///< N at load factor 1, three per node; this rank's part
   std::vector<Node> nodes_;   ///< those with a force
-  double factor_ = 1;
 };
 
 /// Follower pressure on a surface that is no controlled cavity, scaled with the load factor. Where the surface has a
@@ -38,7 +36,6 @@ class FollowerLoad : public VirtualWork
 {
 public:
   FollowerLoad(const Discretization &discretization, const Load &load);
-  void begin_step(const State &, const Step &step) override { factor_ = step.load_factor; }
   double energy(const State &state) const override;
   void residual(const State &state, Assembly &out) const override;
   void tangent(const State &state, Assembly &out) const override;
@@ -47,7 +44,7 @@ private:
   FaceTangents tangents(const std::array<Node, n_face_nodes> &nodes, const State &state, int point) const;
   const Discretization &discretization_;
   CavityWork swept_;
-  double pressure_, factor_ = 1;
+  double pressure_;
   std::vector<std::array<Node, n_face_nodes>> faces_;
 };
 

@@ -21,7 +21,6 @@ struct Mode {
 struct ModeRequest {
   int count = 6;
   bool volume_held = false; ///< of the cavity: the shapes keep it; else its pressure is held
-  double load_factor = 1;   ///< of follower loads
   /// s; length of the time step whose viscosity and friction stiffen the tangent. At infinity there are none: the modes
   /// of the elastic body, its contacts sliding without friction. With a step's dt the modes are those whose negative
   /// ones the step's negative pivots count.

@@ -9,30 +9,40 @@
 namespace ballonet::solver
 {
 
+namespace
+{
+
+constexpr double held_tolerance = 1e-10; // mm
+
+}
+
 struct NewtonSolver::Implementation {
   LinearSystem &system;
-  std::vector<VirtualWork *> works;
+  std::vector<VirtualWork *> works, loads;
   CavityWork *cavity;
   MPI_Comm comm;
   Newton parameters;
-  bool holds_pressure_unknown; ///< the last rank appends p to its part of the SNES vector
+  bool holds_parameter; ///< the last rank appends p to its part of the SNES vector
 
   SNES snes = nullptr;
   Mat shell = nullptr;
-  Vec x = nullptr, f = nullptr; ///< displacement and pressure
-  Vec u = nullptr, residual = nullptr, gradient = nullptr, free_gradient = nullptr, response = nullptr;
+  Vec x = nullptr, f = nullptr; ///< displacement and load parameter
+  Vec u = nullptr, residual = nullptr;
+  Vec force = nullptr, free_force = nullptr; ///< F, and without what acts on held values
+  Vec response = nullptr;                    ///< K^-1 F
+  Vec start = nullptr, direction = nullptr;  ///< of a step of prescribed arc length
 
   State *state = nullptr;
   Target target;
   Outcome outcome;
-  double held_miss = 0, residual_norm = 0, force_scale = 0;
+  double held_miss = 0, parameter_miss = 0, residual_norm = 0, force_scale = 0;
   IncrementWatch watch;
   bool convex = false;  ///< the step has met a tangent that had to be made convex
   int first_pivots = 0; ///< negative ones at the start of the step
   bool new_couplings = false;
 
-  Implementation(LinearSystem &system, std::vector<VirtualWork *> works, CavityWork *cavity, MPI_Comm comm,
-                 const Newton &parameters);
+  Implementation(LinearSystem &system, std::vector<VirtualWork *> works, std::vector<VirtualWork *> loads,
+                 CavityWork *cavity, MPI_Comm comm, const Newton &parameters);
   ~Implementation();
 
   double sum(double value) const
@@ -40,34 +50,54 @@ struct NewtonSolver::Implementation {
     MPI_Allreduce(MPI_IN_PLACE, &value, 1, MPI_DOUBLE, MPI_SUM, comm);
     return value;
   }
-  double pressure_of(Vec vector) const;
-  void combine(Vec displacement, double pressure, Vec vector) const;
+  double dot(Vec a, Vec b) const
+  {
+    double product;
+    petsc(VecDot(a, b, &product));
+    return product;
+  }
+  /// The load parameter of a state.
+  double &parameter(State &s) const { return cavity ? s.pressure : s.load_factor; }
+  Vec constraint() const { return target.what == Prescribe::volume ? force : direction; }
+
+  double parameter_of(Vec vector) const;
+  void combine(Vec displacement, double parameter, Vec vector) const;
   void split(Vec vector, Vec displacement) const;
 
-  void evaluate(Vec f);
+  /// A cavity's pressure always is an unknown, the load factor only along an arc.
+  bool has_unknown_load() const { return cavity || target.what == Prescribe::arc_length; }
+  void assemble_force();
+  double miss(Vec x);
+  void evaluate(Vec x, Vec f);
+  void choose_direction();
   bool linearise();
+  bool last_factor_serves() const;
+  void couple();
   bool factorise();
   void solve_bordered(Vec f, Vec y);
   void update(Vec x, Vec y);
   void assemble_residual();
-  double search(const std::vector<double> &increment, double pressure_increment);
+  double search(const std::vector<double> &increment, double parameter_increment);
+  bool prescribed_is_met() const;
   SNESConvergedReason judge(int iteration);
   void begin_iteration(int iteration);
 };
 
-NewtonSolver::Implementation::Implementation(LinearSystem &system, std::vector<VirtualWork *> works, CavityWork *cavity,
-                                             MPI_Comm comm, const Newton &parameters)
-    : system(system), works(std::move(works)), cavity(cavity), comm(comm), parameters(parameters)
+NewtonSolver::Implementation::Implementation(LinearSystem &system, std::vector<VirtualWork *> works,
+                                             std::vector<VirtualWork *> loads, CavityWork *cavity, MPI_Comm comm,
+                                             const Newton &parameters)
+    : system(system), works(std::move(works)), loads(std::move(loads)), cavity(cavity), comm(comm),
+      parameters(parameters)
 {
   int rank, ranks;
   MPI_Comm_rank(comm, &rank);
   MPI_Comm_size(comm, &ranks);
-  holds_pressure_unknown = rank == ranks - 1;
-  for (Vec *vector : {&u, &residual, &gradient, &free_gradient, &response})
+  holds_parameter = rank == ranks - 1;
+  for (Vec *vector : {&u, &residual, &force, &free_force, &response, &start, &direction})
     *vector = system.create_vector();
   PetscInt local;
   petsc(VecGetLocalSize(u, &local));
-  petsc(VecCreateMPI(comm, local + holds_pressure_unknown, PETSC_DETERMINE, &x));
+  petsc(VecCreateMPI(comm, local + holds_parameter, PETSC_DETERMINE, &x));
   petsc(VecDuplicate(x, &f));
   petsc(VecGetLocalSize(x, &local));
   petsc(MatCreateShell(comm, local, local, PETSC_DETERMINE, PETSC_DETERMINE, this, &shell));
@@ -76,8 +106,8 @@ NewtonSolver::Implementation::Implementation(LinearSystem &system, std::vector<V
   petsc(SNESSetType(snes, SNESNEWTONLS));
   petsc(SNESSetFunction(
       snes, f,
-      [](SNES, Vec, Vec f, void *self) {
-        static_cast<Implementation *>(self)->evaluate(f);
+      [](SNES, Vec x, Vec f, void *self) {
+        static_cast<Implementation *>(self)->evaluate(x, f);
         return PetscErrorCode(0);
       },
       this));
@@ -135,25 +165,25 @@ NewtonSolver::Implementation::~Implementation()
 {
   SNESDestroy(&snes);
   MatDestroy(&shell);
-  for (Vec *vector : {&x, &f, &u, &residual, &gradient, &free_gradient, &response})
+  for (Vec *vector : {&x, &f, &u, &residual, &force, &free_force, &response, &start, &direction})
     VecDestroy(vector);
 }
 
-double NewtonSolver::Implementation::pressure_of(Vec vector) const
+double NewtonSolver::Implementation::parameter_of(Vec vector) const
 {
-  double pressure = 0;
-  if (holds_pressure_unknown) {
+  double parameter = 0;
+  if (holds_parameter) {
     PetscInt size;
     const double *values;
     petsc(VecGetLocalSize(vector, &size));
     petsc(VecGetArrayRead(vector, &values));
-    pressure = values[size - 1];
+    parameter = values[size - 1];
     petsc(VecRestoreArrayRead(vector, &values));
   }
-  return sum(pressure);
+  return sum(parameter);
 }
 
-void NewtonSolver::Implementation::combine(Vec displacement, double pressure, Vec vector) const
+void NewtonSolver::Implementation::combine(Vec displacement, double parameter, Vec vector) const
 {
   PetscInt size;
   const double *from;
@@ -162,8 +192,8 @@ void NewtonSolver::Implementation::combine(Vec displacement, double pressure, Ve
   petsc(VecGetArrayRead(displacement, &from));
   petsc(VecGetArray(vector, &to));
   std::copy(from, from + size, to);
-  if (holds_pressure_unknown)
-    to[size] = pressure;
+  if (holds_parameter)
+    to[size] = parameter;
   petsc(VecRestoreArray(vector, &to));
   petsc(VecRestoreArrayRead(displacement, &from));
 }
@@ -191,45 +221,103 @@ void NewtonSolver::Implementation::assemble_residual()
       residual);
 }
 
+/// F = -dR/dp. Loads are linear in the load factor.
+void NewtonSolver::Implementation::assemble_force()
+{
+  if (cavity) {
+    system.assemble([&](Assembly &assembly) { cavity->volume_gradient(*state, assembly); }, force);
+  } else {
+    State full = *state;
+    full.load_factor = 1;
+    system.assemble(
+        [&](Assembly &assembly) {
+          for (const auto *load : loads)
+            load->residual(full, assembly);
+        },
+        force);
+    petsc(VecScale(force, -1));
+  }
+  petsc(VecCopy(force, free_force));
+  system.clear_held(free_force);
+}
+
+/// How far the state is from what is prescribed; `x` holds its displacement.
+double NewtonSolver::Implementation::miss(Vec x)
+{
+  if (target.what == Prescribe::volume)
+    return outcome.volume - target.volume;
+  if (target.what == Prescribe::parameter)
+    return parameter(*state) - target.parameter;
+  split(x, u);
+  petsc(VecAXPY(u, -1, start));
+  return dot(direction, u) - target.arc_length;
+}
+
 /// Residual of the current state; norms of its free part, of the misses of held values and of the force scale.
-void NewtonSolver::Implementation::evaluate(Vec out)
+void NewtonSolver::Implementation::evaluate(Vec x, Vec out)
 {
   assemble_residual();
   const double reaction = system.clear_held(residual);
   petsc(VecNorm(residual, NORM_2, &residual_norm));
   held_miss = system.hold(*state, residual);
   force_scale = std::max(parameters.force_floor, reaction);
-  double miss = state->pressure - target.pressure;
-  if (cavity) {
-    outcome.volume = sum(cavity->volume(*state));
-    system.assemble([&](Assembly &assembly) { cavity->volume_gradient(*state, assembly); }, gradient);
-    petsc(VecCopy(gradient, free_gradient));
-    system.clear_held(free_gradient);
+  if (has_unknown_load()) {
+    assemble_force();
     double norm;
-    petsc(VecNorm(free_gradient, NORM_2, &norm));
-    force_scale = std::max(force_scale, std::abs(state->pressure) * norm);
-    if (target.volume_prescribed)
-      miss = outcome.volume - target.volume;
+    petsc(VecNorm(free_force, NORM_2, &norm));
+    force_scale = std::max(force_scale, std::abs(parameter(*state)) * norm);
   }
-  combine(residual, miss, out);
+  outcome.volume = cavity ? sum(cavity->volume(*state)) : 0;
+  parameter_miss = miss(x);
+  combine(residual, parameter_miss, out);
+}
+
+/// Close to the solution the last factor is nearly the present one; it serves as long as that shows.
+bool NewtonSolver::Implementation::last_factor_serves() const
+{
+  const auto &r = outcome.residuals;
+  return outcome.factorisations > 0 && !new_couplings && held_miss < held_tolerance &&
+         r.back() < parameters.reuse_below && r.back() < 0.1 * r[r.size() - 2];
 }
 
 bool NewtonSolver::Implementation::linearise()
 {
-  if (new_couplings) {
-    std::vector<std::vector<Node>> couplings;
-    for (const auto *work : works)
-      work->add_couplings(couplings);
-    system.couple(couplings);
-    new_couplings = false;
+  if (last_factor_serves()) {
+    system.keep_factor();
+  } else {
+    couple();
+    if (!factorise()) {
+      outcome.reason = "the factorisation of the tangent failed";
+      return false;
+    }
   }
-  if (!factorise()) {
-    outcome.reason = "the factorisation of the tangent failed";
-    return false;
-  }
-  if (cavity)
-    system.solve(free_gradient, response);
+  if (has_unknown_load())
+    system.solve(free_force, response);
+  if (target.what == Prescribe::arc_length && outcome.residuals.size() == 1)
+    choose_direction();
   return true;
+}
+
+/// Along the path's tangent, onwards: where the velocity points, or with growing load at the start of the path.
+void NewtonSolver::Implementation::choose_direction()
+{
+  petsc(VecCopy(response, direction));
+  double size;
+  petsc(VecNormalize(direction, &size));
+  system.scatter(state->velocity, u);
+  if (dot(direction, u) < 0)
+    petsc(VecScale(direction, -1));
+}
+
+void NewtonSolver::Implementation::couple()
+{
+  if (!new_couplings)
+    return;
+  std::vector<std::vector<Node>> couplings;
+  for (const auto *work : works)
+    work->add_couplings(couplings);
+  system.couple(couplings);
+  new_couplings = false;
 }
 
 /// A tangent with more negative pivots than at the start of the step points away from the solution once the increments
@@ -237,6 +325,7 @@ bool NewtonSolver::Implementation::linearise()
 /// have too many of them.
 bool NewtonSolver::Implementation::factorise()
 {
+  ++outcome.factorisations;
   if (!system.factorise(works, *state))
     return false;
   outcome.negative_pivots = system.negative_pivots();
@@ -246,6 +335,7 @@ bool NewtonSolver::Implementation::factorise()
   convex = convex || (indefinite && (watch.struggling() || outcome.negative_pivots > first_pivots + 1));
   if (!convex || !indefinite)
     return true;
+  ++outcome.factorisations;
   for (auto *work : works)
     work->convexify(true);
   const bool done = system.factorise(works, *state);
@@ -258,35 +348,31 @@ void NewtonSolver::Implementation::solve_bordered(Vec f, Vec y)
 {
   split(f, residual);
   system.solve_held(residual, u);
-  double pressure = pressure_of(f);
-  if (cavity) {
-    if (target.volume_prescribed) {
-      double reached, gained;
-      petsc(VecDot(gradient, u, &reached));
-      petsc(VecDot(gradient, response, &gained));
-      pressure = (pressure - reached) / gained;
-    }
-    petsc(VecAXPY(u, pressure, response));
+  double change = parameter_of(f);
+  if (has_unknown_load()) {
+    if (target.what != Prescribe::parameter)
+      change = (change - dot(constraint(), u)) / dot(constraint(), response);
+    petsc(VecAXPY(u, change, response));
   }
-  combine(u, pressure, y);
+  combine(u, change, y);
 }
 
 /// Half for a step along which the potential's slope does not come down, else 1. One trial only: contact must be let in
 /// to be felt, and shortening until the slope comes down stops just outside it, for ever.
-double NewtonSolver::Implementation::search(const std::vector<double> &increment, double pressure_increment)
+double NewtonSolver::Implementation::search(const std::vector<double> &increment, double parameter_increment)
 {
   constexpr double enough = 0.8;
-  const State start = *state;
+  const State from = *state;
   double slope_at_start, slope;
   system.clear_held(residual);
-  petsc(VecDot(residual, u, &slope_at_start));
+  slope_at_start = dot(residual, u);
   for (std::size_t i = 0; i < increment.size(); ++i)
     state->displacement[i] += increment[i];
-  state->pressure += pressure_increment;
+  parameter(*state) += parameter_increment;
   assemble_residual();
   system.clear_held(residual);
-  petsc(VecDot(residual, u, &slope));
-  *state = start;
+  slope = dot(residual, u);
+  *state = from;
   return std::abs(slope) <= enough * std::abs(slope_at_start) ? 1 : 0.5;
 }
 
@@ -303,14 +389,15 @@ void NewtonSolver::Implementation::update(Vec x, Vec y)
   MPI_Allreduce(MPI_IN_PLACE, &fraction, 1, MPI_DOUBLE, MPI_MIN, comm);
   fraction = watch.trusted(increment, fraction);
   if (watch.struggling() && fraction == 1) // else left alone: a perfect step of a nearly incompressible body raises it
-    fraction = search(increment, -pressure_of(y));
+    fraction = search(increment, -parameter_of(y));
   watch.taken(fraction);
+  outcome.restless = watch.largest() / 3;
   for (auto *work : works)
     work->advance(*state, increment, fraction);
   petsc(VecAXPY(x, -fraction, y));
   split(x, u);
   system.gather(u, state->displacement);
-  state->pressure = pressure_of(x);
+  parameter(*state) = parameter_of(x);
   begin_iteration(outcome.residuals.size());
 }
 
@@ -324,6 +411,15 @@ void NewtonSolver::Implementation::begin_iteration(int iteration)
   MPI_Allreduce(MPI_IN_PLACE, &new_couplings, 1, MPI_CXX_BOOL, MPI_LOR, comm);
 }
 
+bool NewtonSolver::Implementation::prescribed_is_met() const
+{
+  if (target.what == Prescribe::volume)
+    return std::abs(parameter_miss) <= parameters.tolerance * target.volume;
+  if (target.what == Prescribe::arc_length)
+    return std::abs(parameter_miss) <= parameters.tolerance * target.arc_length;
+  return parameter_miss == 0 || !cavity;
+}
+
 SNESConvergedReason NewtonSolver::Implementation::judge(int iteration)
 {
   const double relative = residual_norm / force_scale;
@@ -332,9 +428,7 @@ SNESConvergedReason NewtonSolver::Implementation::judge(int iteration)
     outcome.reason = "the residual is not a number";
     return SNES_DIVERGED_FNORM_NAN;
   }
-  const double volume_miss = target.volume_prescribed ? std::abs(outcome.volume / target.volume - 1) : 0;
-  const bool pressure_met = target.volume_prescribed || state->pressure == target.pressure || !cavity;
-  if (relative <= parameters.tolerance && volume_miss <= parameters.tolerance && held_miss < 1e-10 && pressure_met) {
+  if (relative <= parameters.tolerance && held_miss < held_tolerance && prescribed_is_met()) {
     outcome.converged = true;
     return SNES_CONVERGED_FNORM_RELATIVE;
   }
@@ -349,9 +443,9 @@ SNESConvergedReason NewtonSolver::Implementation::judge(int iteration)
   return SNES_CONVERGED_ITERATING;
 }
 
-NewtonSolver::NewtonSolver(LinearSystem &system, std::vector<VirtualWork *> works, CavityWork *cavity, MPI_Comm comm,
-                           const Newton &parameters)
-    : impl_(std::make_unique<Implementation>(system, std::move(works), cavity, comm, parameters))
+NewtonSolver::NewtonSolver(LinearSystem &system, std::vector<VirtualWork *> works, std::vector<VirtualWork *> loads,
+                           CavityWork *cavity, MPI_Comm comm, const Newton &parameters)
+    : impl_(std::make_unique<Implementation>(system, std::move(works), std::move(loads), cavity, comm, parameters))
 {
 }
 
@@ -361,11 +455,14 @@ NewtonSolver::Outcome NewtonSolver::solve(State &state, const Target &target)
 {
   impl_->state = &state;
   impl_->target = target;
+  if (!impl_->cavity && target.what == Prescribe::parameter)
+    impl_->target.parameter = state.load_factor; // the loads are what the state says
   impl_->outcome = {};
   impl_->watch = {};
   impl_->convex = false;
   impl_->system.scatter(state.displacement, impl_->u);
-  impl_->combine(impl_->u, state.pressure, impl_->x);
+  petsc(VecCopy(impl_->u, impl_->start));
+  impl_->combine(impl_->u, impl_->parameter(state), impl_->x);
   impl_->begin_iteration(0);
   petsc(SNESSolve(impl_->snes, nullptr, impl_->x));
   if (!impl_->outcome.converged && impl_->outcome.reason.empty())

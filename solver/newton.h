@@ -2,39 +2,49 @@
 #pragma once
 #include "solver/cavity_work.h"
 #include "solver/linear_system.h"
+#include <optional>
 #include <string>
 
 namespace ballonet::solver
 {
 
-/// Newton's method (PETSc SNES) for equilibrium at a prescribed volume or pressure of the cavity.
+/// Newton's method (PETSc SNES) for equilibrium under a load whose size is an unknown of its own.
 ///
-/// Unknowns are the displacement and the pressure p:  K Y_u - G Y_p = R,  G^T Y_u = V - V_target  with G = dV/du: two
-/// right-hand sides on one factorisation. The line search is ours: it asks every contribution for the largest step it
-/// can bear.
+/// The load parameter p is the pressure of the cavity or, without one, the load factor; F is its force, -dR/dp (of a
+/// cavity F = dV/du). Unknowns are the displacement and p:  K Y_u - F Y_p = R,  c^T Y_u = miss: two right-hand sides on
+/// one factorisation. What is prescribed decides on the second equation: p itself, the volume (c = dV/du), or the
+/// length of the step along the path's tangent (c = unit vector along K^-1 F at the start; Riks 1979, with the plane
+/// normal to the tangent in the displacements alone). The line search is ours: it asks every contribution for the
+/// largest step it can bear.
 class NewtonSolver
 {
 public:
+  enum class Prescribe { parameter, volume, arc_length };
   struct Target {
-    bool volume_prescribed = false;
-    double volume = 0;   ///< mm^3
-    double pressure = 0; ///< MPa; when the volume is not prescribed
+    Prescribe what = Prescribe::parameter;
+    double parameter = 0;  ///< MPa, of the cavity; a load factor is prescribed by the state itself
+    double volume = 0;     ///< mm^3
+    double arc_length = 0; ///< mm, Euclidean norm over all free displacements
   };
   struct Outcome {
     bool converged = false;
     std::string reason;            ///< why not
+    std::optional<Node> restless;  ///< moved most in the last iteration
     std::vector<double> residuals; ///< relative, before each iteration and at the end
-    int negative_pivots = 0;       ///< of the last tangent, pressure held
-    double volume = 0;             ///< mm^3
+    int negative_pivots = 0;       ///< of the last tangent, load parameter held
+    int factorisations = 0;
+    double volume = 0; ///< mm^3
     int iterations() const { return static_cast<int>(residuals.size()) - 1; }
   };
 
-  /// `works` includes the cavity's work; `cavity` may be null. All must outlive this object.
-  NewtonSolver(LinearSystem &system, std::vector<VirtualWork *> works, CavityWork *cavity, MPI_Comm comm,
-               const Newton &parameters);
+  /// `works` includes the `loads` that the load factor scales and the cavity's work; `cavity` may be null. All must
+  /// outlive this object.
+  NewtonSolver(LinearSystem &system, std::vector<VirtualWork *> works, std::vector<VirtualWork *> loads,
+               CavityWork *cavity, MPI_Comm comm, const Newton &parameters);
   ~NewtonSolver();
 
-  /// Moves `state` (displacement and pressure) to equilibrium; begin_step has been called on all works.
+  /// Moves `state` (displacement and load parameter) to equilibrium; begin_step has been called on all works. Steps of
+  /// prescribed arc length go on in the direction of the state's velocity.
   /// On failure the state is left where the iteration ended.
   Outcome solve(State &state, const Target &target);
 

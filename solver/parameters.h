@@ -100,24 +100,30 @@ struct ContactPair {
   std::string name;
   std::vector<std::string> secondary, primary;
   double friction = 0.3, thickness = 0.35, stiffness = 15, onset = 0.06, penetration_limit = 0.15;
-  double slip_velocity = 3; // mm/s
-  int points_per_side = 5;
+  double elastic_slip = 0.03;         // mm
+  double viscous_velocity = infinity; // mm/s
+  int points_per_side = 5, passes = 2;
   template <class Self, class Visitor>
   static void fields(Self &self, Visitor &v)
   {
     v.text("name", self.name, "how the pair is called in results");
-    v.names("secondary", self.secondary, "surfaces whose quadrature points feel the contact");
-    v.names("primary", self.primary, "surfaces they are kept out of");
+    v.names("secondary", self.secondary, "surfaces that keep out of the primary ones; their quadrature points feel it");
+    v.names("primary", self.primary, "surfaces that are moved back by the thickness; with two passes they feel it too");
     v.quantity("friction", self.friction, "1", 0, 10, "Coulomb coefficient");
     v.quantity("thickness", self.thickness, "mm", 0, 10,
                "how far the primary surface is moved back into its body; rounds its edges by the same radius");
     v.quantity("stiffness", self.stiffness, "MPa/mm", 0, 1e6, "contact pressure per penetration");
     v.quantity("onset", self.onset, "mm", 0, 1, "penetration over which the stiffness grows from zero");
-    v.quantity("slip_velocity", self.slip_velocity, "mm/s", 1e-6, 1e6,
-               "sliding speed at which friction is regularised: below it the surfaces stick elastically");
+    v.quantity("elastic_slip", self.elastic_slip, "mm", 1e-9, 10,
+               "how far the surfaces give before they slide: friction builds up over it and is kept from step to step");
+    v.quantity("viscous_velocity", self.viscous_velocity, "mm/s", 1e-6, 1e9,
+               "sliding speed at which friction has doubled; without it friction does not depend on the speed");
     v.count(
         "points_per_side", self.points_per_side, 2, 20,
         "contact points per side of a secondary face; their distance must stay below the thickness as it stretches");
+    v.count(
+        "passes", self.passes, 1, 2,
+        "2: points of the primary surface, edges and corners included, feel the secondary one too, half the area each");
     v.quantity("penetration_limit", self.penetration_limit, "mm", 0, 10, "a step that ends deeper is rejected");
   }
 };
@@ -155,7 +161,11 @@ struct Response {
 
 enum class Control { volume, pressure, ramp, load, release, arc_length };
 /// Whether the control drives the volume or the pressure of a cavity.
-constexpr bool drives_cavity(Control control) { return control != Control::load && control != Control::release; }
+/// Whether only a cavity can be driven so.
+constexpr bool drives_cavity(Control control)
+{
+  return control == Control::volume || control == Control::pressure || control == Control::ramp;
+}
 
 enum class Integrator { by_control, backward_euler, generalised_alpha };
 
@@ -176,7 +186,8 @@ struct Path {
   Integrator integrator = Integrator::by_control;
   double spectral_radius = 0.8;
   double duration = 1;                                          // s
-  double step_initial = 2e-3, step_min = 1e-5, step_max = 4e-2; // s (fraction of the run under `load`)
+  double step_initial = 2e-3, step_min = 1e-5, step_max = 4e-2; // s
+  double arc_step_max = infinity;                               // mm
   int max_steps = 1000;
   int max_setbacks = 24;
   double time_limit = infinity; // s of wall time
@@ -184,16 +195,18 @@ struct Path {
   template <class Self, class Visitor>
   static void fields(Self &self, Visitor &v)
   {
-    v.choice("control", self.control,
-             {{"volume", Control::volume},
-              {"pressure", Control::pressure},
-              {"ramp", Control::ramp},
-              {"load", Control::load},
-              {"release", Control::release},
-              {"arc_length", Control::arc_length}},
-             "what is prescribed: cavity volume, cavity pressure (quasi-static), pressure ramp in time (with inertia), "
-             "load factor (no cavity), or nothing: free motion in time after a body at rest is let go under gravity, "
-             "loads and initial_pressure");
+    v.choice(
+        "control", self.control,
+        {{"volume", Control::volume},
+         {"pressure", Control::pressure},
+         {"ramp", Control::ramp},
+         {"load", Control::load},
+         {"release", Control::release},
+         {"arc_length", Control::arc_length}},
+        "what is prescribed: cavity volume, cavity pressure (quasi-static), pressure ramp in time (with inertia), "
+        "load factor (no cavity), length along the path through its limit points (quasi-static; the cavity's "
+        "pressure or, without one, the load factor follows; for bodies without contact), or nothing: free motion in "
+        "time after a body at rest is let go under gravity, loads and initial_pressure");
     v.quantity("volume_rate", self.volume_rate, "1/s", 1e-6, 1e6, "growth of V / V0 per second of pseudo-time");
     v.quantity("volume_max", self.volume_max, "1", 1, 1e6, "the path ends at this V / V0");
     v.quantity("pressure_rate", self.pressure_rate, "MPa/s", 1e-9, 1e6,
@@ -218,6 +231,8 @@ struct Path {
     v.quantity("step_initial", self.step_initial, "s", 1e-9, 1e3, "first time step after the preload");
     v.quantity("step_min", self.step_min, "s", 1e-12, 1e3, "smallest time step; below it the path has diverged");
     v.quantity("step_max", self.step_max, "s", 1e-9, 1e9, "largest time step");
+    v.quantity("arc_step_max", self.arc_step_max, "mm", 1e-9, 1e9,
+               "largest step under arc_length: root mean square of the nodes' displacements in it");
     v.count("max_steps", self.max_steps, 1, 1000000, "the path ends after so many steps");
     v.count("max_setbacks", self.max_setbacks, 1, 1000000,
             "the path has come to a standstill when twice the rejected attempts exceed the steps by more than this");
@@ -227,8 +242,9 @@ struct Path {
 };
 
 struct Newton {
-  double tolerance = 1e-6;
+  double tolerance = 1e-8;
   double force_floor = 0.5; // N
+  double reuse_below = 1e-3;
   int max_iterations = 25;
   template <class Self, class Visitor>
   static void fields(Self &self, Visitor &v)
@@ -236,6 +252,8 @@ struct Newton {
     v.quantity("tolerance", self.tolerance, "1", 1e-14, 1e-2,
                "residual norm relative to the norm of the applied forces");
     v.quantity("force_floor", self.force_floor, "N", 0, 1e9, "smallest force scale the residual is compared with");
+    v.quantity("reuse_below", self.reuse_below, "1", 0, 1,
+               "below this residual the last factor serves again as long as the residual falls tenfold; 0: never");
     v.count("max_iterations", self.max_iterations, 1, 1000, "iterations before a step is cut");
   }
 };

@@ -1,24 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 #include "solver/equilibrium.h"
+#include "solver/step_plan.h"
 #include <functional>
 
 namespace ballonet::solver
 {
-
-/// Where a path stands; all that is needed to go on from there.
-struct PathProgress {
-  State state;
-  int step = 0;             ///< converged steps
-  int cuts = 0;             ///< rejected attempts
-  int setbacks = 0;         ///< two more with every cut, one less with every step: grows when the path stands still
-  int iterations = 0;       ///< Newton iterations of all attempts
-  double load_factor = 0;   ///< of gravity, loads and moved supports
-  double stretch = 0;       ///< next increment of the load factor
-  double dt = 0;            ///< next time step, s
-  double volume = 0;        ///< of the cavity, mm^3
-  double pressure_peak = 0; ///< running maximum, MPa
-};
 
 /// A converged step, as shown to the observer.
 struct PathPoint {
@@ -37,8 +24,7 @@ struct PathResult {
   std::string reason; ///< why the path ended, in words
 };
 
-/// Follows the equilibrium path: first the preload (gravity, loads, moved supports, initial pressure), then the
-/// cavity's volume or pressure, with time steps chosen from the number of Newton iterations.
+/// Follows the equilibrium path, step by step as the plan says.
 class PathFollower
 {
 public:
@@ -53,23 +39,18 @@ public:
   PathResult run(PathProgress &progress, const Observer &observe, const Log &log);
 
 private:
-  struct Attempt {
-    Step step;
-    NewtonSolver::Target target;
-    double stretch = 0; ///< of the load factor
-  };
-  bool preloading(const PathProgress &progress) const { return progress.load_factor < 1; }
-  Attempt next(const PathProgress &progress) const;
-  /// Takes one step; false after a cut.
+  /// Tries one step; false when the path is over, with the reason in `result`.
   bool advance(PathProgress &progress, const Observer &observe, const Log &log, PathResult &result);
-  void adapt(PathProgress &progress, int iterations) const;
-  std::string end_reached(const PathProgress &progress) const;
+  void accept(PathProgress &progress, State &&end, const NewtonSolver::Outcome &outcome) const;
+  PathPoint point(const PathProgress &progress, const Step &step, const Energies &before,
+                  const NewtonSolver::Outcome &outcome) const;
   double seconds() const;
 
   Equilibrium &equilibrium_;
   const Path &path_;
   MPI_Comm comm_;
   double reference_volume_, started_;
+  StepPlan plan_;
 };
 
 } // namespace ballonet::solver

@@ -97,7 +97,7 @@ std::vector<PenetrationCheck::Shell> PenetrationCheck::shells(const Mesh &mesh, 
 
 PenetrationCheck::PenetrationCheck(const Mesh &mesh, const ContactPair &pair, double tolerance)
     : mesh_(mesh), tolerance_(tolerance), secondary_(shells(mesh, pair.secondary)),
-      primary_(shells(mesh, pair.primary)), rounded_(primary_patches(mesh, pair.primary, pair.thickness))
+      primary_(shells(mesh, pair.primary)), rounded_(patches_of(mesh, pair.primary, pair.thickness))
 {
   const auto secondary_bodies = bodies_of(mesh, pair.secondary), primary_bodies = bodies_of(mesh, pair.primary);
   primary_nodes_ = difference(free_surface_nodes(mesh, primary_bodies), nodes_of(mesh, secondary_bodies));
@@ -111,7 +111,9 @@ PenetrationCheck::PenetrationCheck(const Mesh &mesh, const ContactPair &pair, do
       primary_cells_.push_back(c);
   // what closes an open surface at rest (the base under a clamped ring) is not beyond it
   overhang_.assign(primary_nodes_.size(), 0);
-  for (const Violation &v : find({std::vector<double>(3 * mesh.nodes.size()), {}, {}, 0, 0})) {
+  State rest;
+  rest.displacement.resize(3 * mesh.nodes.size());
+  for (const Violation &v : find(rest)) {
     std::erase(primary_nodes_, v.node);
     std::erase(secondary_nodes_, v.node);
   }
@@ -124,7 +126,7 @@ std::vector<double> PenetrationCheck::overhangs(double thickness) const
   const CurrentPosition position = {mesh_, rest};
   std::vector<PatchNodes> nodes;
   std::vector<Box> boxes;
-  for (const PrimaryPatch &patch : rounded_) {
+  for (const Patch &patch : rounded_) {
     nodes.push_back(at_depth(patch, position));
     boxes.push_back(enclosing_box(nodes.back()));
   }
@@ -135,7 +137,7 @@ std::vector<double> PenetrationCheck::overhangs(double thickness) const
     double outside = most, nearest = infinity;
     tree.nearest(position(n), infinity, [&](std::uint32_t index, double) {
       const double distance = closest_point(nodes[index], rounded_[index].range, position(n)).distance;
-      outside = std::min(outside, distance - rounded_[index].radius);
+      outside = std::min(outside, distance - rounded_[index].depth);
       return nearest = std::min(nearest, distance);
     });
     overhang.push_back(std::max(outside, 0.));
@@ -192,10 +194,10 @@ void PenetrationCheck::find_through_wall(const CurrentPosition &position, std::v
 double PenetrationCheck::depth_in_rounded(const CurrentPosition &position, const Point3 &x, double depth) const
 {
   double deepest = 0;
-  for (const PrimaryPatch &patch : rounded_) {
-    if (depth >= patch.radius)
+  for (const Patch &patch : rounded_) {
+    if (depth >= patch.depth)
       return depth; // behind the core
-    deepest = std::max(deepest, patch.radius - closest_point(at_depth(patch, position), patch.range, x).distance);
+    deepest = std::max(deepest, patch.depth - closest_point(at_depth(patch, position), patch.range, x).distance);
   }
   return deepest;
 }

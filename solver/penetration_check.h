@@ -45,7 +45,7 @@ private:
   const Mesh &mesh_;
   double tolerance_;
   std::vector<Shell> secondary_, primary_;
-  std::vector<contact::PrimaryPatch> rounded_; ///< the primary surface as the contact sees it
+  std::vector<contact::Patch> rounded_; ///< the primary surface as the contact sees it
   std::vector<Node> secondary_nodes_, primary_nodes_;
   std::vector<double> overhang_; ///< one per primary node: it may lie deeper by that
   std::vector<std::uint32_t> primary_cells_;

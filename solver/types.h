@@ -13,7 +13,9 @@ struct State {
   std::vector<double> displacement; ///< mm, three per node in mesh order
   std::vector<double> velocity;     ///< mm/s, likewise; of the last converged step
   std::vector<double> acceleration; ///< mm/s^2, likewise; zero where the step had no inertia
+  std::vector<double> friction;     ///< MPa, traction at every contact point, likewise; pair after pair
   double pressure = 0;              ///< MPa, of the cavity
+  double load_factor = 0;           ///< of gravity and loads
   double time = 0;                  ///< s of pseudo-time
 };
 

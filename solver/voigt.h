@@ -20,6 +20,23 @@ inline double determinant(const Matrix3 &m)
   return m[0] * (m[4] * m[8] - m[5] * m[7]) - m[1] * (m[3] * m[8] - m[5] * m[6]) + m[2] * (m[3] * m[7] - m[4] * m[6]);
 }
 
+/// det(m) m^-T = d det(m) / d m
+inline Matrix3 cofactor(const Matrix3 &m)
+{
+  return {m[4] * m[8] - m[5] * m[7], m[5] * m[6] - m[3] * m[8], m[3] * m[7] - m[4] * m[6],
+          m[2] * m[7] - m[1] * m[8], m[0] * m[8] - m[2] * m[6], m[1] * m[6] - m[0] * m[7],
+          m[1] * m[5] - m[2] * m[4], m[2] * m[3] - m[0] * m[5], m[0] * m[4] - m[1] * m[3]};
+}
+
+/// a : b
+inline double dot(const Matrix3 &a, const Matrix3 &b)
+{
+  double s = 0;
+  for (int i = 0; i < 9; ++i)
+    s += a[i] * b[i];
+  return s;
+}
+
 /// C = F^T F
 inline Voigt right_cauchy_green(const Matrix3 &F)
 {

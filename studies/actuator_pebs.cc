@@ -39,6 +39,9 @@ solver::ContactPair cage_contact(const ContactDefaults &contact)
   pair.thickness = contact.thickness;
   pair.onset = contact.onset;
   pair.points_per_side = contact.points_per_side;
+  pair.passes = contact.passes;
+  pair.elastic_slip = contact.elastic_slip;
+  pair.viscous_velocity = contact.viscous_velocity;
   pair.penetration_limit = contact.penetration_limit;
   return pair;
 }

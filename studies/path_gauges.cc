@@ -21,12 +21,12 @@ void ControlGauge::measure(const solver::PathPoint &point, const solver::Equilib
   if (control_ == solver::Control::volume)
     row.emplace_back("control", volume_ratio(point));
   else if (control_ == solver::Control::load)
-    row.emplace_back("control", progress.load_factor);
+    row.emplace_back("control", progress.state.load_factor);
   else if (control_ == solver::Control::release)
     row.emplace_back("control", progress.state.time);
   else
     row.emplace_back("control", kPa_per_MPa * progress.state.pressure);
-  row.emplace_back("load_factor", progress.load_factor);
+  row.emplace_back("load_factor", progress.state.load_factor);
 }
 
 void CavityGauge::measure(const solver::PathPoint &point, const solver::Equilibrium &, Row &row)
@@ -39,10 +39,13 @@ void CavityGauge::measure(const solver::PathPoint &point, const solver::Equilibr
 void NumericsGauge::measure(const solver::PathPoint &point, const solver::Equilibrium &equilibrium, Row &row)
 {
   const int cuts = fresh_ ? 0 : point.progress.cuts - cuts_;
+  const int factorisations = fresh_ ? point.newton.factorisations : point.progress.factorisations - factorisations_;
   cuts_ = point.progress.cuts;
+  factorisations_ = point.progress.factorisations;
   fresh_ = false;
   row.emplace_back("negative_eigenvalues", point.newton.negative_pivots);
   row.emplace_back("newton_iterations", point.newton.iterations());
+  row.emplace_back("factorisations", factorisations);
   row.emplace_back("cuts", cuts);
   row.emplace_back("residual", point.newton.residuals.back());
   if (const auto contacts = equilibrium.contact(point.progress.state); !contacts.empty()) {

@@ -27,8 +27,8 @@ private:
   int copies_;
 };
 
-/// How the step was found: negative_eigenvalues, newton_iterations, cuts since the last step, residual, penetration_mm,
-/// dissipated_share, kinetic_share.
+/// How the step was found: negative_eigenvalues, newton_iterations, factorisations and cuts since the last step,
+/// residual, penetration_mm, dissipated_share, kinetic_share.
 class NumericsGauge : public Gauge
 {
 public:
@@ -36,8 +36,8 @@ public:
   void go_on_after(const Row &) override { fresh_ = true; }
 
 private:
-  int cuts_ = 0;
-  bool fresh_ = false; ///< the cuts before the next step are not known
+  int cuts_ = 0, factorisations_ = 0;
+  bool fresh_ = false; ///< the attempts before the next step are not known
 };
 
 } // namespace ballonet::studies

@@ -69,7 +69,8 @@ struct Actuator {
 /// The block [contact]: the contact pairs of the built-in actuators.
 struct ContactDefaults {
   double friction = 0.3, stiffness = 15, thickness = 0.35, onset = 0.06, penetration_limit = 0.15;
-  int points_per_side = 8;
+  double elastic_slip = 0.03, viscous_velocity = 100; // mm, mm/s
+  int points_per_side = 8, passes = 2;
 
   template <class Self, class Visitor>
   static void fields(Self &self, Visitor &v)
@@ -82,6 +83,14 @@ struct ContactDefaults {
     v.count(
         "points_per_side", self.points_per_side, 2, 20,
         "contact points per side of a balloon element; their distance must stay below the thickness when it stretches");
+    v.count("passes", self.passes, 1, 2,
+            "2: points of the ribs, edges and corners included, feel the balloon too, half the area each");
+    v.quantity("elastic_slip", self.elastic_slip, "mm", 1e-9, 10,
+               "how far the surfaces give before they slide: friction builds up over it and is kept from step to step");
+    v.quantity(
+        "viscous_velocity", self.viscous_velocity, "mm/s", 1e-6, 1e9,
+        "sliding speed at which friction has doubled, as that of rubber grows with speed; it keeps a balloon that "
+        "begins to slide from jumping");
     v.quantity("penetration_limit", self.penetration_limit, "mm", 0, 10, "a step that ends deeper is rejected");
   }
 };

@@ -130,6 +130,7 @@ def numerics(results: Results) -> str:
                           ("computing time", duration(best.entry.get("seconds")))])
     facts = [("steps", str(len(history))), ("cut steps", _total(history, "cuts")),
              ("Newton iterations", _total(history, "newton_iterations")),
+             ("factorisations", _total(history, "factorisations")),
              ("computing time", duration(best.entry.get("seconds"))),
              ("mesh", best.entry.get("mesh_hash") or "not recorded")]
     note = ("Viscous share: viscous work of a step over all energy moved in it. Kinetic share: kinetic over "

@@ -70,6 +70,7 @@ def path_columns(angle_end: float) -> dict[str, list]:
         "head_force_N": 6 * s, "tip_force_N": 0 * s,
         "max_bulge_mm": 2 * s**2, "rib_contact_fraction": np.minimum(1, 2 * s),
         "negative_eigenvalues": ((s > 0.55) & (s < 0.75)).astype(int), "newton_iterations": np.full(STEPS, 6),
+        "factorisations": np.full(STEPS, 5),
         "cuts": (s > 0.6).astype(int), "dissipated_share": 0.01 * s, "kinetic_share": 0.002 * s,
     }
     for k in range(1, GAPS + 1):

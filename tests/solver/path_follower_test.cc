@@ -40,7 +40,7 @@ double largest_difference(const std::vector<double> &a, const std::vector<double
   return largest;
 }
 
-/// A thin bar above the middle of a coarse plate, driven down through it between the contact points.
+/// A thin bar above the middle of a coarse plate, driven down through it between the contact points of one pass.
 struct BarThroughPlate {
   Mesh mesh;
   Parameters parameters;
@@ -56,6 +56,7 @@ struct BarThroughPlate {
     parameters.bodies = {{"bar", "plastic"}, {"plate", "plastic"}};
     parameters.supports = {{"bar.z1", {"x", "y"}, {{{}, {}, -2.}}}, {"plate.x0", {"x", "y", "z"}}};
     parameters.contact_pairs = {{"bar in plate", {"plate.z1"}, all_sides("bar"), 0}};
+    parameters.contact_pairs[0].passes = 1;
     parameters.path.control = Control::load;
   }
 };
@@ -71,7 +72,7 @@ TEST_CASE("path: a body that passes through another one between the contact poin
   CHECK(followed.result.status == PathStatus::diverged);
   CHECK_THAT(followed.result.reason, Catch::Contains("inside or beyond body \"plate\""));
   CHECK(followed.progress.cuts > 0);
-  const double end = 0.5 - 2 * followed.progress.load_factor; // height of the bar's end, plate from 0 to 0.4 mm
+  const double end = 0.5 - 2 * followed.progress.state.load_factor; // height of the bar's end, plate from 0 to 0.4 mm
   INFO("stopped at height " << end);
   CHECK(end > 0.4 - scene.parameters.contact_pairs[0].penetration_limit - 0.05); // the bar's edges count as rounded
   CHECK(end < 0.4);
@@ -109,8 +110,8 @@ TEST_CASE("path: too deep a penetration is refused, with the reason")
   INFO(followed.result.reason);
   CHECK(followed.result.status == PathStatus::diverged);
   CHECK_THAT(followed.result.reason, Catch::Contains("\"blocks\" penetrates by") || Catch::Contains("lie inside"));
-  CHECK(followed.progress.load_factor > 0.25); // 0.1 mm until they meet
-  CHECK(followed.progress.load_factor < 1);
+  CHECK(followed.progress.state.load_factor > 0.25); // 0.1 mm until they meet
+  CHECK(followed.progress.state.load_factor < 1);
 }
 
 TEST_CASE("path: step limit, time limit and the observer end it")

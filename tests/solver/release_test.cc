@@ -72,7 +72,7 @@ TEST_CASE("release: ends at path.duration, swings without a preload, and keeps i
   INFO(end.result.reason);
   CHECK(end.result.status == PathStatus::ended);
   CHECK(end.progress.state.time == Approx(0.02).epsilon(1e-12));
-  CHECK(end.progress.load_factor == 1);
+  CHECK(end.progress.state.load_factor == 1);
   const double fallen = *std::max_element(end.energy.begin(), end.energy.end());
   INFO("largest energy " << fallen << " N mm, kinetic at the end "
                          << simulation.equilibrium().energies(end.progress.state).kinetic);

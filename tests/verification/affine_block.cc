@@ -29,7 +29,7 @@ bool on_boundary(const Point3 &X)
 AffineBlock::AffineBlock(const Material &material, bool mixed)
     : mesh_(box_mesh(2, 2, 2, [](Point3 x) { return distorted(x, 0.08); })), discretization_(mesh_, MPI_COMM_SELF),
       work_(discretization_, 0, make_material(material), 0, mixed), system_(discretization_),
-      newton_(system_, {&work_}, nullptr, MPI_COMM_SELF, {.tolerance = 1e-12, .force_floor = 1e-3})
+      newton_(system_, {&work_}, {}, nullptr, MPI_COMM_SELF, {.tolerance = 1e-12, .force_floor = 1e-3})
 {
 }
 

@@ -62,7 +62,7 @@ TEST_CASE("the balloon alone: growth at 30 kPa and limit pressure")
   std::string log;
   const auto result = simulation.run(
       [&](const solver::PathPoint &point) {
-        if (point.progress.load_factor == 1 && at_30_kpa.displacement.empty())
+        if (point.progress.state.load_factor == 1 && at_30_kpa.displacement.empty())
           at_30_kpa = point.progress.state;
         highest = std::max(highest, point.progress.state.pressure);
         return point.progress.state.pressure < highest - 1e-6 ? "past the limit" : "";

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "tests/verification/blown_body.h"
+#include "tests/support/thick_wall.h"
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -14,7 +15,7 @@ std::vector<BlownState> blow(const Mesh &mesh, const std::vector<Support> &suppo
   Parameters parameters;
   parameters.materials.resize(1);
   auto &rubber = parameters.materials[0];
-  rubber.name = "rubber", rubber.c10 = blown_mu / 2, rubber.d1 = 2e-6 / blown_mu;
+  rubber.name = "rubber", rubber.c10 = wall_mu / 2, rubber.d1 = 2e-6 / wall_mu;
   parameters.bodies = {{"body", "rubber", true}};
   parameters.supports = supports;
   parameters.cavity = cavity;

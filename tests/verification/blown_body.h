@@ -6,15 +6,12 @@
 namespace ballonet::tests
 {
 
-/// Coefficient mu of the incompressible neo-Hookean bodies below, MPa.
-constexpr double blown_mu = 0.3;
-
 struct BlownState {
   double volume_ratio, pressure; ///< V / V0, MPa
   int negative_pivots;           ///< of the tangent at held pressure
 };
 
-/// A nearly incompressible (bulk modulus 1e6 mu) neo-Hookean body blown up by volume, quasi-static and without
+/// A nearly incompressible (bulk modulus 1e6 wall_mu) neo-Hookean body blown up by volume, quasi-static and without
 /// viscosity; all steps of its path, at most `step` of V / V0 apart.
 std::vector<BlownState> blow(const solver::Mesh &, const std::vector<solver::Support> &, const solver::Cavity &,
                              double volume_ratio, double step = 0.6);

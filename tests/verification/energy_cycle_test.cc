@@ -39,7 +39,7 @@ Work inflate_and_deflate(double relaxation_time, int steps)
     radius += (k <= steps ? 1. : -1.) / steps;
     const double pressure = state.pressure, target = start * radius * radius * radius;
     const auto outcome =
-        equilibrium.solve(state, {.dt = 1. / steps}, {.volume_prescribed = true, .volume = target, .pressure = 0});
+        equilibrium.solve(state, {.dt = 1. / steps}, {.what = NewtonSolver::Prescribe::volume, .volume = target});
     INFO(outcome.reason);
     REQUIRE(outcome.converged);
     const double gained = (pressure + state.pressure) / 2 * (target - volume);

@@ -21,7 +21,7 @@ Mesh cylinder_on_plate()
     const double x = extent * std::pow(p[0], 2), low = radius - std::sqrt(radius * radius - x * x);
     return Point3{x, depth * p[1], low + (extent - low) * std::pow(p[2], 2)};
   };
-  const auto plate = [](Point3 p) { return Point3{(extent + 1) * p[0] - 0.5, depth * (3 * p[1] - 1), p[2] - 1}; };
+  const auto plate = [](Point3 p) { return Point3{(extent + 1) * p[0], depth * p[1], p[2] - 1}; };
   return beside(box_mesh(12, 1, 6, cylinder, "cylinder", "cylinder."), box_mesh(1, 1, 1, plate, "plate", "plate."));
 }
 
@@ -37,7 +37,7 @@ Parameters pressed_by(double way, double stiffness)
   p.supports = {{"cylinder.x0", {"x"}}, {"cylinder.y0", {"y"}}, {"cylinder.y1", {"y"}}};
   p.supports.push_back({"cylinder.z1", {}, {{{}, {}, -way}}});
   p.supports.push_back({"plate.z0", {"x", "y", "z"}});
-  p.contact_pairs = {{"pair", {"cylinder.z0"}, {"plate.z1"}, 0, 0.3, stiffness, 1e-5}};
+  p.contact_pairs = {{"pair", {"cylinder.z0"}, {"plate.z1"}, 0, 0.05, stiffness, 1e-5}};
   p.contact_pairs[0].points_per_side = 8;
   p.path.control = Control::load;
   p.path.load_steps = 2;

@@ -40,7 +40,7 @@ Swing small_swing(Equilibrium &equilibrium, const State &state, const Mode &mode
   std::vector<double> share = {1};
   std::vector<Peak> peaks;
   for (int k = 1; k <= periods * steps + steps / 4; ++k) {
-    const auto outcome = equilibrium.solve(now, {.dt = dt, .inertia = true}, {.pressure = state.pressure});
+    const auto outcome = equilibrium.solve(now, {.dt = dt, .inertia = true}, {.parameter = state.pressure});
     INFO(outcome.reason);
     REQUIRE(outcome.converged);
     share.push_back((now.displacement[largest] - state.displacement[largest]) / (amplitude * mode.shape[largest]));

@@ -73,8 +73,8 @@ State blown_to(Equilibrium &equilibrium, double inner_radius)
   const double start = equilibrium.volume(state);
   for (double a = A; a < inner_radius;) {
     a = std::min(a + 0.1, inner_radius);
-    const auto outcome =
-        equilibrium.solve(state, {.dt = 1}, {.volume_prescribed = true, .volume = start * std::pow(a / A, 3)});
+    const auto outcome = equilibrium.solve(
+        state, {.dt = 1}, {.what = NewtonSolver::Prescribe::volume, .volume = start * std::pow(a / A, 3)});
     INFO(outcome.reason);
     REQUIRE(outcome.converged);
   }

@@ -10,7 +10,7 @@ using namespace solver;
 StagedAssembly::StagedAssembly(const Mesh &mesh, Parameters start) : parameters(std::move(start)), mesh_(mesh)
 {
   const std::vector<double> zeros(3 * mesh.nodes.size());
-  state = {zeros, zeros, zeros, 0, 0};
+  state = {zeros, zeros, zeros, {}, 0, 0};
 }
 
 void StagedAssembly::step(double dt)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "tests/support/comparison.h"
 #include "tests/support/round_mesh.h"
+#include "tests/support/thick_wall.h"
 #include "tests/verification/blown_body.h"
 #include <catch2/catch.hpp>
 
@@ -10,25 +11,7 @@ using namespace ballonet::tests;
 namespace
 {
 
-constexpr double A = 1, B = 1.6; // mm, radii at rest
-
-/// Tube in plane strain, incompressible neo-Hookean, thick wall: inner minus outer pressure from
-///   p = mu [ln(a B / (b A)) + (B^2 / b^2 - A^2 / a^2) / 2]   with b^2 - a^2 = B^2 - A^2.
-double tube_pressure(double volume_ratio)
-{
-  const double a = A * std::sqrt(volume_ratio), b = std::sqrt(a * a + B * B - A * A);
-  return blown_mu * (std::log(a * B / (b * A)) + (B * B / (b * b) - A * A / (a * a)) / 2);
-}
-
-double deformed_outer_radius(double a) { return std::cbrt(a * a * a + B * B * B - A * A * A); }
-
-/// Hollow sphere, likewise (Green and Zerna): p = mu / 2 [4 / l + 1 / l^4] from the inner to the outer hoop stretch l.
-double sphere_pressure(double volume_ratio)
-{
-  const double inner = std::cbrt(volume_ratio), outer = deformed_outer_radius(A * inner) / B;
-  const auto term = [](double l) { return 4 / l + std::pow(l, -4); };
-  return blown_mu / 2 * (term(outer) - term(inner));
-}
+constexpr double A = inner_radius, B = outer_radius;
 
 std::vector<BlownState> blown_tube(int n)
 {
@@ -74,16 +57,16 @@ TEST_CASE("closed forms of thick walls agree with the integral of the equilibriu
   const double tube = integral(
       [&](double r) {
         const double l = r / std::sqrt(r * r - a * a + A * A);
-        return blown_mu * (l * l - 1 / (l * l)) / r;
+        return wall_mu * (l * l - 1 / (l * l)) / r;
       },
       a, std::sqrt(a * a + B * B - A * A));
   CHECK(tube_pressure(2.25) == Approx(tube).epsilon(1e-9));
   const double sphere = integral(
       [&](double r) {
         const double l = r / std::cbrt(r * r * r - a * a * a + A * A * A);
-        return 2 * blown_mu * (l * l - std::pow(l, -4)) / r;
+        return 2 * wall_mu * (l * l - std::pow(l, -4)) / r;
       },
-      a, deformed_outer_radius(a));
+      a, sphere_radius(B, 3.375));
   CHECK(sphere_pressure(3.375) == Approx(sphere).epsilon(1e-9));
 }
 

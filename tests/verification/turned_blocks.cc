@@ -25,10 +25,11 @@ Material rubber()
   return m;
 }
 
-ContactPair pair(double friction)
+ContactPair pair(double friction, int passes)
 {
   ContactPair p = {"pair", {"upper.z0"}, {"lower.z1"}, friction, 0.3, 10, 0.02};
-  p.slip_velocity = 0.01;
+  p.elastic_slip = 1e-3;
+  p.passes = passes;
   return p;
 }
 
@@ -56,16 +57,17 @@ std::vector<double> rotated(const Matrix3 &R, const std::vector<double> &field)
   return result;
 }
 
-TurnedBlocks::TurnedBlocks(double friction)
+TurnedBlocks::TurnedBlocks(double friction, int passes)
     : mesh_(blocks()), discretization_(mesh_, MPI_COMM_SELF),
       lower_(discretization_, 0, make_material(rubber()), 0, true),
       upper_(discretization_, 1, make_material(rubber()), 0, true),
-      contact_(mesh_, pair(friction), [](std::uint32_t) { return true; }),
+      contact_(mesh_, pair(friction, passes), [](std::uint32_t) { return true; }),
       load_(discretization_, {"lower.x0", {0, 0, 0}, 0.05}), system_(discretization_),
-      newton_(system_, {&lower_, &upper_, &load_, &contact_}, nullptr, MPI_COMM_SELF,
+      newton_(system_, {&lower_, &upper_, &load_, &contact_}, {}, nullptr, MPI_COMM_SELF,
               {.tolerance = 1e-11, .force_floor = 1e-3})
 {
   state_.displacement.assign(3 * mesh_.nodes.size(), 0.);
+  state_.friction.assign(3 * contact_.number_points_from(0), 0.);
 }
 
 void TurnedBlocks::turn_rigidly(double angle)
@@ -92,7 +94,8 @@ void TurnedBlocks::hold(const std::string &surface, const Vector3 &way, Prescrib
 void TurnedBlocks::step(double dt, const Vector3 &way, double load_factor, double angle)
 {
   for (VirtualWork *work : std::initializer_list<VirtualWork *>{&lower_, &upper_, &load_, &contact_})
-    work->begin_step(state_, {.dt = dt, .load_factor = load_factor});
+    work->begin_step(state_, {.dt = dt});
+  state_.load_factor = load_factor;
   turn_rigidly(angle);
   Prescribed values(state_.displacement.size(), std::nan(""));
   hold("lower.z0", {0, 0, 0}, values);
@@ -101,6 +104,8 @@ void TurnedBlocks::step(double dt, const Vector3 &way, double load_factor, doubl
   const auto outcome = newton_.solve(state_, {});
   INFO(outcome.reason << ", last residual " << outcome.residuals.back());
   REQUIRE(outcome.converged);
+  state_.friction.assign(state_.friction.size(), 0.);
+  contact_.end_step(state_);
 }
 
 } // namespace ballonet::tests

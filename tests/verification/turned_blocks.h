@@ -19,7 +19,7 @@ std::vector<double> rotated(const solver::Matrix3 &, const std::vector<double> &
 class TurnedBlocks
 {
 public:
-  explicit TurnedBlocks(double friction);
+  explicit TurnedBlocks(double friction, int passes = 2);
 
   /// A step of `dt` s to equilibrium with the upper block's top moved by `way` (in the axes that turn with the blocks)
   /// and everything turned by `angle` (rad) beyond where it was, beginning from the rigid rotation.
