@@ -21,9 +21,9 @@ struct Mode {
 struct ModeRequest {
   int count = 6;
   bool volume_held = false; ///< of the cavity: the shapes keep it; else its pressure is held
-  /// s; length of the time step whose viscosity and friction stiffen the tangent. At infinity there are none: the modes
-  /// of the elastic body, its contacts sliding without friction. With a step's dt the modes are those whose negative
-  /// ones the step's negative pivots count.
+  /// s; length of the time step whose viscosity stiffens the tangent. At infinity there is none: the modes of the
+  /// elastic body, its contacts sticking as far as friction has not given way. With a step's dt the modes are those
+  /// whose negative ones the step's negative pivots count.
   double dt = infinity;
 };
 

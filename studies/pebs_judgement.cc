@@ -40,7 +40,8 @@ std::string last_stage(const std::vector<Row> &rows)
 bool is_judged(const Study &study)
 {
   const Actuator &actuator = study.actuator;
-  return actuator.kind == ActuatorKind::pebs && actuator.pebs.with_balloon && !actuator.head_held;
+  return actuator.kind == ActuatorKind::pebs && actuator.pebs.with_balloon && !actuator.head_held &&
+         solver::drives_cavity(study.path.control);
 }
 
 std::optional<Judgement> judgement_of(const Study &study, const std::vector<Row> &rows, optimize::Status status,

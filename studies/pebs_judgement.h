@@ -9,7 +9,7 @@
 namespace ballonet::studies
 {
 
-/// Whether the paths of a study are judged: those of a PEBS with a balloon and a free head.
+/// Whether the paths of a study are judged: those that drive the cavity of a PEBS with a free head.
 bool is_judged(const Study &study);
 
 /// The judgement of a path that ended with `status`; nothing if paths of this study are not judged. A path whose status
