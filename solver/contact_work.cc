@@ -31,6 +31,7 @@ ContactSummary &ContactSummary::operator+=(const ContactSummary &other)
       primary_force[s][i] += other.primary_force[s][i];
   for (int i = 0; i < 3; ++i)
     secondary_force[i] += other.secondary_force[i];
+  normal_force += other.normal_force;
   area += other.area;
   penetration = std::max(penetration, other.penetration);
   points += other.points;
@@ -175,6 +176,7 @@ ContactSummary ContactWork::summary(const State &state) const
       add(p.patch, force);
     else
       add(p.own, -force);
+    summary.normal_force += force.norm();
     summary.area += p.area;
     summary.penetration = std::max(summary.penetration, p.penetration);
     ++summary.points;
@@ -182,6 +184,21 @@ ContactSummary ContactWork::summary(const State &state) const
   for (const SlidingPoint &s : sliding_)
     add(s.primary.patch, -friction_force(s, state));
   return summary;
+}
+
+double ContactWork::missed_force(const State &state) const
+{
+  std::vector<bool> touches(pairing_.n_points(), false);
+  for_each_touching(state, [&](std::uint32_t index, const PairedPoint &) { touches[index] = true; });
+  ContactPairing afresh = pairing_;
+  afresh.allow_crossing(true);
+  afresh.search(state.displacement);
+  double missed = 0;
+  afresh.for_each(state.displacement, [&](std::uint32_t index, const PairedPoint &p) {
+    if (!touches[index])
+      missed += p.area * law_.pressure(p.penetration);
+  });
+  return missed;
 }
 
 std::vector<ContactPoint> ContactWork::contact_points(const State &state) const

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
+#include "solver/contact_rigid.h"
 #include "solver/contact_work.h"
 #include "solver/elastic_work.h"
 #include "solver/load_work.h"
@@ -33,7 +34,8 @@ public:
   /// Balances `state` at the end of a step that starts there. On failure `state` is what it was.
   NewtonSolver::Outcome solve(State &state, const Step &step, const NewtonSolver::Target &target);
 
-  /// Why a converged state must not be accepted (a node of one body inside another, penetration), or an empty string.
+  /// Why a converged state must not be accepted (contact missed by the pairs of its last search, penetration, a node of
+  /// one body inside another), or an empty string.
   std::string objection(const State &state) const;
 
   double volume(const State &state) const { return newton_->volume(state); }
@@ -48,9 +50,11 @@ public:
   std::vector<std::vector<ContactPoint>> contact_points(const State &state) const;
 
 private:
+  void build_contact(const ContactPair &);
   void build_loads(const std::vector<double> &mass);
   std::vector<double> build_bodies();
   Prescribed prescribed(double load_factor) const;
+  std::string missed_contact(const State &, const std::vector<ContactSummary> &) const;
 
   const Parameters &parameters_;
   MPI_Comm comm_;
@@ -60,8 +64,8 @@ private:
   std::vector<std::unique_ptr<VirtualWork>> loads_;
   std::unique_ptr<CavityWork> cavity_;
   std::unique_ptr<InertiaWork> inertia_;
-  std::vector<std::unique_ptr<ContactWork>> contacts_;
-  std::vector<std::unique_ptr<PenetrationCheck>> checks_; ///< one per contact pair
+  std::vector<std::unique_ptr<Contact>> contacts_;
+  std::vector<std::unique_ptr<PenetrationCheck>> checks_; ///< one per contact pair of two bodies
   std::vector<VirtualWork *> works_;                      ///< all of the above
   std::unique_ptr<NewtonSolver> newton_;
 };
