@@ -96,6 +96,8 @@ double largest_fraction(const ContactPairing &pairing, std::span<const double> d
   for (std::uint32_t s = 0; s < pairing.n_secondary(); ++s)
     primary.overlapping(moving[s].swept.enlarged(core_share * pairing.largest_radius()), [&](std::uint32_t index) {
       const std::uint32_t p = pairing.n_secondary() + index;
+      if (!pairing.may_touch(s, p))
+        return;
       approach(s, p);
       approach(p, s);
     });
