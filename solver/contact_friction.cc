@@ -66,7 +66,7 @@ dealii::Tensor<2, 3> axes_at(const PairedPoint &p, const ContactPairing &pairing
 } // namespace
 
 SlidingPoint sliding_point(const ContactPairing &pairing, const PairedPoint &paired,
-                           std::span<const double> displacement, double limit)
+                           std::span<const double> displacement, const FrictionPoint &friction)
 {
   const CurrentPosition position = {pairing.mesh(), displacement};
   const ClosestPoint &closest = paired.closest;
@@ -79,13 +79,12 @@ SlidingPoint sliding_point(const ContactPairing &pairing, const PairedPoint &pai
   }
   const Point3 from_core = (felt_by_secondary ? 1 : -1) * closest.distance * closest.normal;
   SlidingPoint p = {paired,
+                    friction,
                     {face, node_weights(pairing.patches()[face], patch_shapes(on_face).value)},
                     {core, touched_material(pairing.patches()[core], on_core, from_core, position)},
-                    limit,
-                    closest.normal,
-                    {}};
+                    {},
+                    axes_at(paired, pairing, position)};
   p.offset = separation(p, pairing, position);
-  p.axes = axes_at(paired, pairing, position);
   return p;
 }
 
@@ -96,49 +95,7 @@ dealii::Tensor<2, 3> turn(const SlidingPoint &p, const ContactPairing &pairing, 
 
 Point3 slip(const SlidingPoint &p, const ContactPairing &pairing, std::span<const double> displacement)
 {
-  const Point3 moved = separation(p, pairing, {pairing.mesh(), displacement}) - p.offset;
-  return moved - (moved * p.normal) * p.normal;
-}
-
-Point3 into_plane(const Point3 &traction, const Point3 &normal)
-{
-  const Point3 tangential = traction - (traction * normal) * normal;
-  const double size = tangential.norm();
-  return size > 0 ? traction.norm() / size * tangential : Point3();
-}
-
-Point3 FrictionLaw::slip_of(const Point3 &share) const
-{
-  constexpr double most = 0.995;
-  const double size = share.norm(), r = std::min(size, most);
-  return size > 0 ? elastic_slip * r / std::sqrt(1 - r * r) / size * share : Point3();
-}
-
-double FrictionLaw::energy(const SlidingPoint &p, const Point3 &slip) const
-{
-  const double s = elastic_slip * elastic_slip;
-  return p.limit * (std::sqrt((p.elastic_slip + slip).norm_square() + s) - std::sqrt(p.elastic_slip.norm_square() + s) +
-                    slip.norm_square() / (2 * viscous_slip));
-}
-
-Point3 FrictionLaw::remembered_force(const SlidingPoint &p, const Point3 &slip) const
-{
-  const Point3 e = p.elastic_slip + slip;
-  return p.limit / std::sqrt(e.norm_square() + elastic_slip * elastic_slip) * e;
-}
-
-Point3 FrictionLaw::force(const SlidingPoint &p, const Point3 &slip) const
-{
-  return remembered_force(p, slip) + p.limit / viscous_slip * slip;
-}
-
-dealii::Tensor<2, 3> FrictionLaw::tangent(const SlidingPoint &p, const Point3 &slip) const
-{
-  const Point3 e = p.elastic_slip + slip;
-  const double square = e.norm_square() + elastic_slip * elastic_slip;
-  dealii::Tensor<2, 3> plane = dealii::Tensor<2, 3>(dealii::unit_symmetric_tensor<3>());
-  plane -= outer_product(p.normal, p.normal);
-  return p.limit / std::sqrt(square) * (plane - outer_product(e, e) / square) + p.limit / viscous_slip * plane;
+  return in_plane(separation(p, pairing, {pairing.mesh(), displacement}) - p.offset, p.friction.normal);
 }
 
 } // namespace ballonet::solver::contact

@@ -2,6 +2,7 @@
 #include "solver/contact_pairing.h"
 #include "solver/contact_quadrature.h"
 #include <algorithm>
+#include <set>
 #include <stdexcept>
 
 namespace ballonet::solver::contact
@@ -20,35 +21,60 @@ void check(const ContactPair &pair)
                                 " passes, allowed are 1 and 2");
 }
 
-/// A body's contact with itself would see its own patch at exactly the contact distance.
-void check_apart(const ContactPair &pair, const std::vector<Patch> &secondary, const std::vector<Patch> &primary)
+using FaceKey = std::pair<std::uint32_t, std::uint32_t>;
+
+FaceKey key(const Face &face) { return {face.cell, face.local}; }
+
+std::set<FaceKey> keys(const std::vector<Patch> &patches)
 {
-  std::unordered_set<std::uint32_t> primary_cells;
-  for (const Patch &patch : primary)
-    primary_cells.insert(patch.face.cell);
-  for (const Patch &patch : secondary)
-    if (primary_cells.count(patch.face.cell))
-      throw std::invalid_argument("contact pair \"" + pair.name + "\": a cell is both secondary and primary");
+  std::set<FaceKey> keys;
+  for (const Patch &patch : patches)
+    keys.insert(key(patch.face));
+  return keys;
 }
 
-/// Secondary and primary patches in one list with their points. Two passes share the area.
+/// Secondary and primary patches in one list with their points. The area is shared by two passes, and by both roles of
+/// a face that touches itself.
 std::vector<Patch> both_surfaces(const Mesh &mesh, const ContactPair &pair)
 {
   std::vector<Patch> patches = patches_of(mesh, pair.secondary, 0),
                      primary = patches_of(mesh, pair.primary, pair.thickness);
-  check_apart(pair, patches, primary);
+  const auto secondary_faces = keys(patches), primary_faces = keys(primary);
+  auto share = [&](const Patch &patch) {
+    const bool both = secondary_faces.count(key(patch.face)) && primary_faces.count(key(patch.face));
+    return 1. / pair.passes / (both ? 2 : 1);
+  };
   for (Patch &patch : patches)
-    patch.points = gauss_points(mesh, patch, pair.points_per_side, 1. / pair.passes);
+    patch.points = gauss_points(mesh, patch, pair.points_per_side, share(patch));
   const auto n_secondary = static_cast<std::uint32_t>(patches.size());
   for (Patch &patch : primary) {
     if (pair.passes == 2)
-      patch.points = points_with_edges(mesh, patch, pair.thickness / 2, 0.5);
+      patch.points = points_with_edges(mesh, patch, pair.thickness / 2, share(patch));
     for (auto &neighbour : patch.neighbour)
       if (neighbour)
         neighbour->patch += n_secondary;
     patches.push_back(std::move(patch));
   }
   return patches;
+}
+
+/// The distance of two patches at rest, found from 3 x 3 points of the first.
+double distance_at_rest(const PatchNodes &from, const PatchNodes &to, const PatchRange &range)
+{
+  double smallest = infinity;
+  for (const Point3 &x : from)
+    smallest = std::min(smallest, closest_point(to, range, x).distance);
+  return smallest;
+}
+
+/// Whether cells of the bodies on one side are also on the other.
+bool touches_itself(const Mesh &mesh, const std::vector<Patch> &patches, std::uint32_t n_secondary)
+{
+  std::set<std::uint32_t> bodies;
+  for (std::uint32_t p = 0; p < n_secondary; ++p)
+    bodies.insert(mesh.cell_body[patches[p].face.cell]);
+  return std::any_of(patches.begin() + n_secondary, patches.end(),
+                     [&](const Patch &patch) { return bodies.count(mesh.cell_body[patch.face.cell]) > 0; });
 }
 
 /// For each parameter the side beyond which the point would be nearer, or -1.
@@ -111,6 +137,22 @@ ContactPairing::ContactPairing(const Mesh &mesh, const ContactPair &pair,
       points_.push_back({p, q});
   }
   pairings_.resize(points_.size());
+  if (touches_itself(mesh, patches_, n_secondary_))
+    find_neighbours(2 * pair.thickness);
+}
+
+/// Pairs of the same body that are closer than `bound` at rest.
+void ContactPairing::find_neighbours(double bound)
+{
+  const std::vector<double> rest(3 * mesh_.nodes.size());
+  const Surroundings now(*this, {mesh_, rest});
+  for (std::uint32_t s = 0; s < n_secondary_; ++s)
+    now.primary.overlapping(now.boxes[s].enlarged(bound), [&](std::uint32_t index) {
+      const std::uint32_t p = n_secondary_ + index;
+      const bool same_body = mesh_.cell_body[patches_[s].face.cell] == mesh_.cell_body[patches_[p].face.cell];
+      if (same_body && distance_at_rest(now.nodes[s], now.nodes[p], patches_[p].range) < bound)
+        neighbours_.insert(pair_key(s, p));
+    });
 }
 
 /// The closest point, from patch to neighbouring patch as long as the gap shrinks.
@@ -135,7 +177,7 @@ bool ContactPairing::cross(PairedPoint &p, CurrentPatches &nodes) const
   const PairedPoint here = p;
   for (const int side : sides_reached(here.closest)) {
     const auto link = side < 0 ? std::nullopt : patches_[here.patch].neighbour[side];
-    if (!link || !coupled(p.own, link->patch))
+    if (!link || !coupled(p.own, link->patch) || !may_touch(p.own, link->patch))
       continue;
     const Patch &next = patches_[link->patch];
     const ClosestPoint closest =
@@ -166,7 +208,7 @@ void ContactPairing::for_each_near(const Surroundings &now, double margin, Visit
   for (std::uint32_t s = 0; s < n_secondary_; ++s)
     now.primary.overlapping(now.boxes[s].enlarged(largest_radius_ + margin), [&](std::uint32_t index) {
       const std::uint32_t p = n_secondary_ + index;
-      if (!patches_[s].points.empty() || !patches_[p].points.empty())
+      if ((!patches_[s].points.empty() || !patches_[p].points.empty()) && may_touch(s, p))
         visit(s, p);
     });
 }

@@ -3,6 +3,7 @@
 #include "solver/contact_search.h"
 #include "solver/contact_surface.h"
 #include "solver/parameters.h"
+#include <algorithm>
 #include <functional>
 #include <limits>
 #include <unordered_set>
@@ -26,6 +27,10 @@ struct PairedPoint {
 /// surface is taken as it is, the primary one at the depth `thickness` in its body. Contact begins where a point and a
 /// patch come closer than the sum of their depths, whichever of them has the point. With one pass the points are on the
 /// secondary surface, with two on both.
+///
+/// A surface may touch itself, or parts of its own body: where a face and a patch are closer than twice the thickness
+/// at rest they are neighbours and never touch. Faces that are on both sides feel every contact twice, so they have
+/// half the area.
 ///
 /// search() decides; in between the choice is frozen and only the closest point is found anew. It may leave the patch
 /// across a side into a neighbouring one: so sliding along a surface or around an edge is smooth, but a point never
@@ -65,6 +70,11 @@ public:
   /// The distance at which contact between two patches begins, mm.
   double radius(std::uint32_t a, std::uint32_t b) const { return patches_[a].depth + patches_[b].depth; }
   double largest_radius() const { return largest_radius_; }
+  /// False for neighbours in the same body.
+  bool may_touch(std::uint32_t a, std::uint32_t b) const
+  {
+    return neighbours_.empty() || neighbours_.count(pair_key(a, b)) == 0;
+  }
 
 private:
   static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
@@ -88,8 +98,13 @@ private:
   std::vector<Pairing> pairings_;     ///< one per point
   std::vector<std::uint32_t> paired_; ///< indices of the points that have a patch
   std::vector<std::array<std::uint32_t, 2>> couplings_;
-  std::unordered_set<std::uint64_t> coupled_;
+  std::unordered_set<std::uint64_t> coupled_, neighbours_;
 
+  void find_neighbours(double bound);
+  static std::uint64_t pair_key(std::uint32_t a, std::uint32_t b)
+  {
+    return std::uint64_t(std::min(a, b)) << 32 | std::max(a, b);
+  }
   template <class Visit>
   void for_each_near(const Surroundings &, double margin, Visit visit) const;
   std::uint64_t coupling_key(std::uint32_t a, std::uint32_t b) const;

@@ -50,18 +50,6 @@ struct Approach {
   }
 };
 
-/// The largest allowed fraction between `good` (allowed) and `bad` (not), to 1/256 of their difference.
-double bisect(const Approach &approach, double smallest, double good, double bad)
-{
-  for (int k = 0; k < 8; ++k) {
-    const double middle = (good + bad) / 2;
-    (approach.distance(middle) < smallest ? bad : good) = middle;
-  }
-  return good > 0 ? good : bad;
-}
-
-/// Goes along the way by the distance that is free at each stop, and at least by the radius of the core: so nothing is
-/// jumped over, since crossing the core takes twice that.
 double limited(const Approach &approach, double fraction)
 {
   const double core = approach.core;
@@ -69,16 +57,7 @@ double limited(const Approach &approach, double fraction)
   const double box_distance = std::sqrt(approach.moving.start.distance_square(approach.x));
   if (speed == 0 || box_distance > core + fraction * speed)
     return fraction;
-  double distance = approach.distance(0), good = 0;
-  const double smallest = std::min(core, distance * (1 - 1e-9));
-  while (good < fraction && distance <= core + (fraction - good) * speed) {
-    const double next = std::min(good + std::max(distance - smallest, core) / speed, fraction);
-    distance = approach.distance(next);
-    if (distance < smallest)
-      return bisect(approach, smallest, good, next);
-    good = next;
-  }
-  return fraction;
+  return fraction_above([&](double f) { return approach.distance(f); }, speed, core, core, fraction);
 }
 
 std::vector<MovingPatch> moving_patches(const ContactPairing &pairing, const CurrentPosition &position,
@@ -117,6 +96,8 @@ double largest_fraction(const ContactPairing &pairing, std::span<const double> d
   for (std::uint32_t s = 0; s < pairing.n_secondary(); ++s)
     primary.overlapping(moving[s].swept.enlarged(core_share * pairing.largest_radius()), [&](std::uint32_t index) {
       const std::uint32_t p = pairing.n_secondary() + index;
+      if (!pairing.may_touch(s, p))
+        return;
       approach(s, p);
       approach(p, s);
     });

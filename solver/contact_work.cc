@@ -31,6 +31,7 @@ ContactSummary &ContactSummary::operator+=(const ContactSummary &other)
       primary_force[s][i] += other.primary_force[s][i];
   for (int i = 0; i < 3; ++i)
     secondary_force[i] += other.secondary_force[i];
+  normal_force += other.normal_force;
   area += other.area;
   penetration = std::max(penetration, other.penetration);
   points += other.points;
@@ -73,20 +74,12 @@ void ContactWork::begin_step(const State &start, const Step &step)
   std::fill(stored_pressure_.begin(), stored_pressure_.end(), 0.);
   for_each_touching(start, [&](std::uint32_t index, const PairedPoint &p) {
     stored_pressure_[index] = law_.pressure(p.penetration);
-    if (friction_ * stored_pressure_[index] > 0)
-      sliding_.push_back(sliding_point_at(p, start));
+    if (const double strength = friction_ * stored_pressure_[index]; strength > 0) {
+      const auto friction =
+          friction_law_.begin(strength, p.area, p.closest.normal, remembered_traction(start, first_point_ + p.number));
+      sliding_.push_back(sliding_point(pairing_, p, start.displacement, friction));
+    }
   });
-}
-
-SlidingPoint ContactWork::sliding_point_at(const PairedPoint &p, const State &start) const
-{
-  const double strength = friction_ * law_.pressure(p.penetration);
-  SlidingPoint s = sliding_point(pairing_, p, start.displacement, p.area * strength);
-  Point3 traction;
-  if (const std::size_t at = 3 * (first_point_ + p.number); at < start.friction.size())
-    traction = Point3({start.friction[at], start.friction[at + 1], start.friction[at + 2]});
-  s.elastic_slip = friction_law_.slip_of(into_plane(traction, s.normal) / strength);
-  return s;
 }
 
 std::size_t ContactWork::number_points_from(std::size_t first)
@@ -97,11 +90,11 @@ std::size_t ContactWork::number_points_from(std::size_t first)
 
 void ContactWork::end_step(State &end) const
 {
-  for (SlidingPoint s : sliding_) {
-    s.elastic_slip = turn(s, pairing_, end.displacement) * s.elastic_slip;
-    const Point3 traction = friction_law_.remembered_force(s, slip(s, pairing_, end.displacement)) / s.contact.area;
-    for (int i = 0; i < 3; ++i)
-      end.friction[3 * (first_point_ + s.contact.number) + i] = traction[i];
+  for (const SlidingPoint &s : sliding_) {
+    FrictionPoint turned = s.friction;
+    turned.elastic_slip = turn(s, pairing_, end.displacement) * turned.elastic_slip;
+    const Point3 force = friction_law_.remembered_force(turned, slip(s, pairing_, end.displacement));
+    remember_traction(end, first_point_ + s.contact.number, force / s.contact.area);
   }
 }
 
@@ -125,7 +118,7 @@ void ContactWork::add_couplings(std::vector<std::vector<Node>> &sets) const
 
 Point3 ContactWork::friction_force(const SlidingPoint &s, const State &state) const
 {
-  return friction_law_.force(s, slip(s, pairing_, state.displacement));
+  return friction_law_.force(s.friction, slip(s, pairing_, state.displacement));
 }
 
 double ContactWork::energy(const State &state) const
@@ -133,7 +126,7 @@ double ContactWork::energy(const State &state) const
   double sum = 0;
   for_each_touching(state, [&](std::uint32_t, const PairedPoint &p) { sum += p.area * law_.energy(p.penetration); });
   for (const SlidingPoint &s : sliding_)
-    sum += friction_law_.energy(s, slip(s, pairing_, state.displacement));
+    sum += friction_law_.energy(s.friction, slip(s, pairing_, state.displacement));
   return sum;
 }
 
@@ -163,7 +156,7 @@ void ContactWork::tangent(const State &state, Assembly &assembly) const
   });
   std::vector<SlidingContact> sliding;
   for (const SlidingPoint &s : sliding_)
-    sliding.push_back({&s, friction_law_.tangent(s, slip(s, pairing_, state.displacement))});
+    sliding.push_back({&s, friction_law_.tangent(s.friction, slip(s, pairing_, state.displacement))});
   add_contact_tangent(pairing_, normal, sliding, assembly);
 }
 
@@ -202,6 +195,7 @@ ContactSummary ContactWork::summary(const State &state) const
       add(p.patch, force);
     else
       add(p.own, -force);
+    summary.normal_force += force.norm();
     summary.area += p.area;
     summary.penetration = std::max(summary.penetration, p.penetration);
     ++summary.points;
@@ -209,6 +203,21 @@ ContactSummary ContactWork::summary(const State &state) const
   for (const SlidingPoint &s : sliding_)
     add(s.primary.patch, -friction_force(s, state));
   return summary;
+}
+
+double ContactWork::missed_force(const State &state) const
+{
+  std::vector<bool> touches(pairing_.n_points(), false);
+  for_each_touching(state, [&](std::uint32_t index, const PairedPoint &) { touches[index] = true; });
+  ContactPairing afresh = pairing_;
+  afresh.allow_crossing(true);
+  afresh.search(state.displacement);
+  double missed = 0;
+  afresh.for_each(state.displacement, [&](std::uint32_t index, const PairedPoint &p) {
+    if (!touches[index])
+      missed += p.area * law_.pressure(p.penetration);
+  });
+  return missed;
 }
 
 std::vector<ContactPoint> ContactWork::contact_points(const State &state) const

@@ -20,6 +20,12 @@ const auto &named(const List &list, const std::string &name, const char *what)
   throw std::invalid_argument(std::string("there is no ") + what + " \"" + name + "\"");
 }
 
+template <class List, class Item>
+bool in(const List &list, const Item &item)
+{
+  return std::find(list.begin(), list.end(), item) != list.end();
+}
+
 } // namespace
 
 Equilibrium::Equilibrium(const Parameters &parameters, const Mesh &mesh, MPI_Comm comm)
@@ -27,10 +33,8 @@ Equilibrium::Equilibrium(const Parameters &parameters, const Mesh &mesh, MPI_Com
 {
   build_bodies();
   for (const auto &pair : parameters.contact_pairs) {
-    contacts_.push_back(
-        std::make_unique<ContactWork>(mesh, pair, [this](std::uint32_t cell) { return discretization_.owns(cell); }));
+    build_contact(pair);
     n_contact_points_ = contacts_.back()->number_points_from(n_contact_points_);
-    checks_.push_back(std::make_unique<PenetrationCheck>(mesh, pair, pair.penetration_limit));
   }
   if (parameters.cavity)
     cavity_ = std::make_unique<CavityWork>(discretization_, *parameters.cavity);
@@ -51,6 +55,19 @@ Equilibrium::Equilibrium(const Parameters &parameters, const Mesh &mesh, MPI_Com
 }
 
 Equilibrium::~Equilibrium() = default;
+
+void Equilibrium::build_contact(const ContactPair &pair)
+{
+  const Mesh &mesh = discretization_.mesh();
+  const auto owned = [this](std::uint32_t cell) { return discretization_.owns(cell); };
+  for (const RigidBody &body : parameters_.rigid_bodies)
+    if (in(pair.primary, body.name)) {
+      contacts_.push_back(std::make_unique<RigidContactWork>(mesh, pair, body, owned));
+      return;
+    }
+  contacts_.push_back(std::make_unique<ContactWork>(mesh, pair, owned));
+  checks_.push_back(std::make_unique<PenetrationCheck>(mesh, pair, pair.penetration_limit));
+}
 
 /// The bodies, and what follows from their masses.
 void Equilibrium::build_bodies()
@@ -153,9 +170,8 @@ NewtonSolver::Outcome Equilibrium::solve(State &state, const Step &step, const N
 std::string Equilibrium::place_of(Node node, const State &state) const
 {
   const Mesh &mesh = discretization_.mesh();
-  const auto cell = std::find_if(mesh.cells.begin(), mesh.cells.end(), [&](const auto &nodes) {
-    return std::find(nodes.begin(), nodes.end(), node) != nodes.end();
-  });
+  const auto cell =
+      std::find_if(mesh.cells.begin(), mesh.cells.end(), [&](const auto &nodes) { return in(nodes, node); });
   std::ostringstream text;
   text.precision(4);
   text << "body \"" << mesh.bodies[mesh.cell_body[cell - mesh.cells.begin()]] << "\" at (";
@@ -163,10 +179,10 @@ std::string Equilibrium::place_of(Node node, const State &state) const
     text << mesh.nodes[node][d] + state.displacement[3 * node + d] << (d < 2 ? ", " : ") mm, element ");
   text << cell - mesh.cells.begin();
   for (const auto &pair : parameters_.contact_pairs)
-    for (const auto *names : {&pair.secondary, &pair.primary})
-      for (const auto &name : *names)
-        if (const auto nodes = surface_nodes(mesh, name); std::find(nodes.begin(), nodes.end(), node) != nodes.end())
-          text << ", on \"" << name << "\" of contact pair \"" << pair.name << '"';
+    for (const Surface &surface : mesh.surfaces)
+      if (in(pair.secondary, surface.name) || in(pair.primary, surface.name))
+        if (const auto nodes = surface_nodes(mesh, surface.name); in(nodes, node))
+          text << ", on \"" << surface.name << "\" of contact pair \"" << pair.name << '"';
   return text.str();
 }
 
@@ -236,7 +252,7 @@ std::vector<ContactSummary> Equilibrium::contact(const State &state) const
   std::vector<ContactSummary> summaries;
   for (const auto &contact : contacts_) {
     auto s = contact->summary(state);
-    std::vector<double> sums = {s.area, static_cast<double>(s.points)};
+    std::vector<double> sums = {s.area, static_cast<double>(s.points), s.normal_force};
     sums.insert(sums.end(), s.secondary_force.begin(), s.secondary_force.end());
     for (const auto &force : s.primary_force)
       sums.insert(sums.end(), force.begin(), force.end());
@@ -244,9 +260,10 @@ std::vector<ContactSummary> Equilibrium::contact(const State &state) const
     MPI_Allreduce(MPI_IN_PLACE, &s.penetration, 1, MPI_DOUBLE, MPI_MAX, comm_);
     s.area = sums[0];
     s.points = sums[1];
-    std::copy_n(&sums[2], 3, s.secondary_force.begin());
+    s.normal_force = sums[2];
+    std::copy_n(&sums[3], 3, s.secondary_force.begin());
     for (std::size_t i = 0; i < s.primary_force.size(); ++i)
-      std::copy_n(&sums[5 + 3 * i], 3, s.primary_force[i].begin());
+      std::copy_n(&sums[6 + 3 * i], 3, s.primary_force[i].begin());
     summaries.push_back(s);
   }
   return summaries;
@@ -260,9 +277,25 @@ std::vector<std::vector<ContactPoint>> Equilibrium::contact_points(const State &
   return points;
 }
 
+/// Contact that a new search finds in a converged state, and that its equations do not know.
+std::string Equilibrium::missed_contact(const State &state, const std::vector<ContactSummary> &summaries) const
+{
+  constexpr double share = 0.02; // of the normal force that is allowed to be missed
+  for (std::size_t i = 0; i < contacts_.size(); ++i) {
+    double missed = contacts_[i]->missed_force(state);
+    MPI_Allreduce(MPI_IN_PLACE, &missed, 1, MPI_DOUBLE, MPI_SUM, comm_);
+    if (missed > share * std::max(summaries[i].normal_force, parameters_.newton.force_floor))
+      return "contact pair \"" + parameters_.contact_pairs[i].name + "\": a new search finds " +
+             std::to_string(missed) + " N more normal force than the present pairs carry";
+  }
+  return {};
+}
+
 std::string Equilibrium::objection(const State &state) const
 {
   const auto summaries = contact(state);
+  if (const auto missed = missed_contact(state, summaries); !missed.empty())
+    return missed;
   for (std::size_t i = 0; i < summaries.size(); ++i)
     if (const auto &pair = parameters_.contact_pairs[i]; summaries[i].penetration > pair.penetration_limit)
       return "contact pair \"" + pair.name + "\" penetrates by " + std::to_string(summaries[i].penetration) +

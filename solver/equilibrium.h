@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
+#include "solver/contact_rigid.h"
 #include "solver/contact_work.h"
 #include "solver/elastic_work.h"
 #include "solver/inertia_work.h"
@@ -40,7 +41,8 @@ public:
   /// is what it was.
   NewtonSolver::Outcome solve(State &state, const Step &step, const NewtonSolver::Target &target);
 
-  /// Why a converged state must not be accepted (a node of one body inside another, penetration), or an empty string.
+  /// Why a converged state must not be accepted (contact missed by the pairs of its last search, penetration, a node of
+  /// one body inside another), or an empty string.
   std::string objection(const State &state) const;
 
   /// Lowest natural frequencies and shapes about an equilibrium, which may be unstable (collective). Throws
@@ -60,6 +62,7 @@ public:
 
 private:
   void build_bodies();
+  void build_contact(const ContactPair &);
   void build_loads(const std::vector<double> &mass);
   std::vector<double> total_mass() const;
   void factorise_tangent(const State &state, double dt);
@@ -67,6 +70,7 @@ private:
   void remember_friction(State &end) const;
   std::string place_of(Node node, const State &state) const;
   Prescribed prescribed(double load_factor) const;
+  std::string missed_contact(const State &, const std::vector<ContactSummary> &) const;
 
   const Parameters &parameters_;
   MPI_Comm comm_;
@@ -76,8 +80,8 @@ private:
   std::vector<std::unique_ptr<VirtualWork>> loads_;
   std::unique_ptr<CavityWork> cavity_;
   std::unique_ptr<InertiaWork> inertia_;
-  std::vector<std::unique_ptr<ContactWork>> contacts_;
-  std::vector<std::unique_ptr<PenetrationCheck>> checks_; ///< one per contact pair
+  std::vector<std::unique_ptr<Contact>> contacts_;
+  std::vector<std::unique_ptr<PenetrationCheck>> checks_; ///< one per contact pair of two bodies
   std::vector<VirtualWork *> works_;                      ///< all of the above
   std::unique_ptr<NewtonSolver> newton_;
   std::size_t n_contact_points_ = 0; ///< of all pairs and ranks

@@ -108,7 +108,8 @@ struct ContactPair {
   {
     v.text("name", self.name, "how the pair is called in results");
     v.names("secondary", self.secondary, "surfaces that keep out of the primary ones; their quadrature points feel it");
-    v.names("primary", self.primary, "surfaces that are moved back by the thickness; with two passes they feel it too");
+    v.names("primary", self.primary,
+            "surfaces that are moved back by the thickness; with two passes they feel it too. Or one rigid body");
     v.quantity("friction", self.friction, "1", 0, 10, "Coulomb coefficient");
     v.quantity("thickness", self.thickness, "mm", 0, 10,
                "how far the primary surface is moved back into its body; rounds its edges by the same radius");
@@ -125,6 +126,32 @@ struct ContactPair {
         "passes", self.passes, 1, 2,
         "2: points of the primary surface, edges and corners included, feel the secondary one too, half the area each");
     v.quantity("penetration_limit", self.penetration_limit, "mm", 0, 10, "a step that ends deeper is rejected");
+  }
+};
+
+enum class RigidShapeKind { plane, cylinder, box, ellipsoid };
+
+/// A rigid body in closed form, fixed in space: what deformable bodies are pressed against.
+struct RigidBody {
+  std::string name;
+  RigidShapeKind shape = RigidShapeKind::plane;
+  Vector3 point = {0, 0, 0}, axis = {0, 0, 1}, half_lengths = {1, 1, 1};
+  double radius = 1;
+  template <class Self, class Visitor>
+  static void fields(Self &self, Visitor &v)
+  {
+    v.text("name", self.name, "how contact pairs call it as their primary side");
+    v.choice("shape", self.shape,
+             {{"plane", RigidShapeKind::plane},
+              {"cylinder", RigidShapeKind::cylinder},
+              {"box", RigidShapeKind::box},
+              {"ellipsoid", RigidShapeKind::ellipsoid}},
+             "plane: all below it is solid; cylinder: without ends; box and ellipsoid: along x, y, z");
+    v.point("point", self.point, "mm", "a point of the plane or of the cylinder's axis, or the centre");
+    v.point("axis", self.axis, "1", "plane: direction out of the solid; cylinder: its axis");
+    v.point("half_lengths", self.half_lengths, "mm",
+            "box: half its sides; ellipsoid: its half axes, a sphere's are equal");
+    v.quantity("radius", self.radius, "mm", 0, 1e6, "of the cylinder");
   }
 };
 
@@ -266,6 +293,7 @@ struct Parameters {
   std::optional<Cavity> cavity;
   std::vector<Load> loads;
   std::vector<ContactPair> contact_pairs;
+  std::vector<RigidBody> rigid_bodies;
   std::vector<Response> responses;
   Vector3 gravity = {0, 0, 0}; // mm/s^2
   Path path;

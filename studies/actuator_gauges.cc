@@ -72,8 +72,10 @@ PebsShapeGauge::Touch PebsShapeGauge::touch(const solver::State &state, const so
   std::vector<char> mark(model_.mesh.cells.size(), 0);
   for (const auto &pair : equilibrium.contact_points(state))
     for (const solver::ContactPoint &point : pair) {
-      mark[point.primary.cell] = 1;
-      if (head_faces_.contains({point.primary.cell, point.primary.local}))
+      if (!point.primary)
+        continue;
+      mark[point.primary->cell] = 1;
+      if (head_faces_.contains({point.primary->cell, point.primary->local}))
         force += point.pressure * point.area;
     }
   MPI_Allreduce(MPI_IN_PLACE, &force, 1, MPI_DOUBLE, MPI_SUM, communicator_);

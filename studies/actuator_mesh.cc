@@ -17,6 +17,7 @@ std::variant<SimulationModel, geometry::MeshFailure> read_problem(const Study &s
     parameters.cavity = study.cavities.front();
   parameters.loads = study.loads;
   parameters.contact_pairs = study.contact_pairs;
+  parameters.rigid_bodies = study.rigid_bodies;
   parameters.responses = study.responses;
   return SimulationModel{std::get<geometry::Mesh>(std::move(mesh)), {}, std::move(parameters)};
 }

@@ -138,6 +138,12 @@ void check_responses(const Study &study, const TomlDocument &document)
   }
 }
 
+bool is_rigid(const Study &study, const std::string &name)
+{
+  return std::any_of(study.rigid_bodies.begin(), study.rigid_bodies.end(),
+                     [&](const solver::RigidBody &body) { return body.name == name; });
+}
+
 void check_names(const Study &study, const geometry::Mesh &mesh, const TomlDocument &document)
 {
   const MeshNames names(mesh, document);
@@ -155,7 +161,10 @@ void check_names(const Study &study, const geometry::Mesh &mesh, const TomlDocum
   for (std::size_t i = 0; i < study.contact_pairs.size(); ++i) {
     for (const std::string &name : study.contact_pairs[i].secondary)
       names.check_surface(name, element("contact_pair", i) + ".secondary");
-    for (const std::string &name : study.contact_pairs[i].primary)
+    const auto &primary = study.contact_pairs[i].primary;
+    if (primary.size() == 1 && is_rigid(study, primary[0]))
+      continue;
+    for (const std::string &name : primary)
       names.check_surface(name, element("contact_pair", i) + ".primary");
   }
   for (std::size_t i = 0; i < study.responses.size(); ++i)

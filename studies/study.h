@@ -144,6 +144,7 @@ struct Study {
   std::vector<solver::Cavity> cavities; // none or one
   std::vector<solver::Load> loads;
   std::vector<solver::ContactPair> contact_pairs;
+  std::vector<solver::RigidBody> rigid_bodies;
   std::vector<solver::Response> responses;
 
   template <class Self, class Visitor>
@@ -184,6 +185,7 @@ private:
     v.group_list("cavity", self.cavities, "the driven cavity");
     v.group_list("load", self.loads, "dead and follower loads");
     v.group_list("contact_pair", self.contact_pairs, "surfaces that touch");
+    v.group_list("rigid", self.rigid_bodies, "rigid bodies in closed form, fixed in space");
     v.group_list("response", self.responses, "what is measured");
   }
 };

@@ -103,7 +103,7 @@ TEST_CASE("two passes: the forces of each surface balance, also when only corner
   }
   for (const ContactPoint &point : work.contact_points(scene.state)) {
     CHECK(point.secondary.cell == 1);
-    CHECK(point.primary.cell == 0);
+    CHECK(point.primary->cell == 0);
   }
 }
 

@@ -25,7 +25,7 @@ Mesh cylinder_on_plate()
   return beside(box_mesh(12, 1, 6, cylinder, "cylinder", "cylinder."), box_mesh(1, 1, 1, plate, "plate", "plate."));
 }
 
-Parameters pressed_by(double way, double stiffness)
+Parameters pressed_by(double way, double stiffness, const std::string &primary = "plate.z1")
 {
   Parameters p;
   p.materials.resize(2);
@@ -37,8 +37,10 @@ Parameters pressed_by(double way, double stiffness)
   p.supports = {{"cylinder.x0", {"x"}}, {"cylinder.y0", {"y"}}, {"cylinder.y1", {"y"}}};
   p.supports.push_back({"cylinder.z1", {}, {{{}, {}, -way}}});
   p.supports.push_back({"plate.z0", {"x", "y", "z"}});
-  p.contact_pairs = {{"pair", {"cylinder.z0"}, {"plate.z1"}, 0, 0.05, stiffness, 1e-5}};
+  p.contact_pairs = {{"pair", {"cylinder.z0"}, {primary}, 0, 0.05, stiffness, 1e-5}};
   p.contact_pairs[0].points_per_side = 8;
+  p.rigid_bodies.resize(1);
+  p.rigid_bodies[0].name = "floor"; // the plane z = 0
   p.path.control = Control::load;
   p.path.load_steps = 2;
   p.newton = {.tolerance = 1e-7, .force_floor = 0.02};
@@ -101,4 +103,14 @@ TEST_CASE("Hertz: a cylinder on a flat plate")
            stiff.half_width, 0.01, "mm"});
   compare({"Hertz's cylinder, contact 16 times as stiff: pressure in the middle third", source, stiff.hertz_pressure(),
            stiff.pressure, 0.01, "MPa"});
+}
+
+TEST_CASE("Hertz: a cylinder on a rigid plane")
+{
+  const auto contact = press(cylinder_on_plate(), pressed_by(0.01, 2000, "floor"));
+  const char *source = "Hertz (1882), from the measured force";
+  compare({"Hertz's cylinder on a rigid plane: half width of the contact", source, contact.hertz_half_width(),
+           contact.half_width, 0.01, "mm"});
+  compare({"Hertz's cylinder on a rigid plane: pressure in the middle third", source, contact.hertz_pressure(),
+           contact.pressure, 0.01, "MPa"});
 }
