@@ -2,9 +2,9 @@
 #include "solver/newton.h"
 #include "solver/increment_watch.h"
 #include "solver/petsc_call.h"
+#include "solver/snes_iteration.h"
 #include <algorithm>
 #include <cmath>
-#include <petscsnes.h>
 
 namespace ballonet::solver
 {
@@ -16,17 +16,15 @@ constexpr double held_tolerance = 1e-10; // mm
 
 }
 
-struct NewtonSolver::Implementation {
+struct NewtonSolver::Implementation : SnesIteration {
+  using SnesIteration::iterate, SnesIteration::sum;
+
   LinearSystem &system;
   std::vector<VirtualWork *> works, loads;
   CavityWork *cavity;
   MPI_Comm comm;
   Newton parameters;
-  bool holds_parameter; ///< the last rank appends p to its part of the SNES vector
 
-  SNES snes = nullptr;
-  Mat shell = nullptr;
-  Vec x = nullptr, f = nullptr; ///< displacement and load parameter
   Vec u = nullptr, residual = nullptr;
   Vec force = nullptr, free_force = nullptr; ///< F, and without what acts on held values
   Vec response = nullptr;                    ///< K^-1 F
@@ -43,13 +41,8 @@ struct NewtonSolver::Implementation {
 
   Implementation(LinearSystem &system, std::vector<VirtualWork *> works, std::vector<VirtualWork *> loads,
                  CavityWork *cavity, MPI_Comm comm, const Newton &parameters);
-  ~Implementation();
+  ~Implementation() override;
 
-  double sum(double value) const
-  {
-    MPI_Allreduce(MPI_IN_PLACE, &value, 1, MPI_DOUBLE, MPI_SUM, comm);
-    return value;
-  }
   double dot(Vec a, Vec b) const
   {
     double product;
@@ -60,155 +53,39 @@ struct NewtonSolver::Implementation {
   double &parameter(State &s) const { return cavity ? s.pressure : s.load_factor; }
   Vec constraint() const { return target.what == Prescribe::volume ? force : direction; }
 
-  double parameter_of(Vec vector) const;
-  void combine(Vec displacement, double parameter, Vec vector) const;
-  void split(Vec vector, Vec displacement) const;
-
   /// A cavity's pressure always is an unknown, the load factor only along an arc.
   bool has_unknown_load() const { return cavity || target.what == Prescribe::arc_length; }
   void assemble_force();
   double miss(Vec x);
-  void evaluate(Vec x, Vec f);
+  void evaluate(Vec x, Vec f) override;
   void choose_direction();
-  bool linearise();
+  bool linearise() override;
   bool last_factor_serves() const;
   void couple();
   bool factorise();
-  void solve_bordered(Vec f, Vec y);
-  void update(Vec x, Vec y);
+  void solve(Vec f, Vec y) override;
+  void update(Vec x, Vec y) override;
   void assemble_residual();
   double search(const std::vector<double> &increment, double parameter_increment);
   bool prescribed_is_met() const;
-  SNESConvergedReason judge(int iteration);
+  SNESConvergedReason judge(int iteration) override;
   void begin_iteration(int iteration);
 };
 
 NewtonSolver::Implementation::Implementation(LinearSystem &system, std::vector<VirtualWork *> works,
                                              std::vector<VirtualWork *> loads, CavityWork *cavity, MPI_Comm comm,
                                              const Newton &parameters)
-    : system(system), works(std::move(works)), loads(std::move(loads)), cavity(cavity), comm(comm),
-      parameters(parameters)
+    : SnesIteration(system, comm, parameters.max_iterations), system(system), works(std::move(works)),
+      loads(std::move(loads)), cavity(cavity), comm(comm), parameters(parameters)
 {
-  int rank, ranks;
-  MPI_Comm_rank(comm, &rank);
-  MPI_Comm_size(comm, &ranks);
-  holds_parameter = rank == ranks - 1;
   for (Vec *vector : {&u, &residual, &force, &free_force, &response, &start, &direction})
     *vector = system.create_vector();
-  PetscInt local;
-  petsc(VecGetLocalSize(u, &local));
-  petsc(VecCreateMPI(comm, local + holds_parameter, PETSC_DETERMINE, &x));
-  petsc(VecDuplicate(x, &f));
-  petsc(VecGetLocalSize(x, &local));
-  petsc(MatCreateShell(comm, local, local, PETSC_DETERMINE, PETSC_DETERMINE, this, &shell));
-
-  petsc(SNESCreate(comm, &snes));
-  petsc(SNESSetType(snes, SNESNEWTONLS));
-  petsc(SNESSetFunction(
-      snes, f,
-      [](SNES, Vec x, Vec f, void *self) {
-        static_cast<Implementation *>(self)->evaluate(x, f);
-        return PetscErrorCode(0);
-      },
-      this));
-  petsc(SNESSetJacobian(
-      snes, shell, shell,
-      [](SNES snes, Vec, Mat, Mat, void *self) {
-        if (!static_cast<Implementation *>(self)->linearise())
-          SNESSetJacobianDomainError(snes);
-        return PetscErrorCode(0);
-      },
-      this));
-  petsc(SNESSetConvergenceTest(
-      snes,
-      [](SNES, PetscInt iteration, PetscReal, PetscReal, PetscReal, SNESConvergedReason *reason, void *self) {
-        *reason = static_cast<Implementation *>(self)->judge(iteration);
-        return PetscErrorCode(0);
-      },
-      this, nullptr));
-  petsc(SNESSetTolerances(snes, 0, 0, 0, parameters.max_iterations, PETSC_DEFAULT));
-  petsc(SNESSetCheckJacobianDomainError(snes, PETSC_TRUE));
-
-  KSP ksp;
-  PC pc;
-  petsc(SNESGetKSP(snes, &ksp));
-  petsc(KSPSetType(ksp, KSPPREONLY));
-  petsc(KSPGetPC(ksp, &pc));
-  petsc(PCSetType(pc, PCSHELL));
-  petsc(PCShellSetContext(pc, this));
-  petsc(PCShellSetApply(pc, [](PC pc, Vec f, Vec y) {
-    void *self;
-    PetscErrorCode code = PCShellGetContext(pc, &self);
-    static_cast<Implementation *>(self)->solve_bordered(f, y);
-    return code;
-  }));
-
-  SNESLineSearch search;
-  petsc(SNESGetLineSearch(snes, &search));
-  petsc(SNESLineSearchSetType(search, SNESLINESEARCHSHELL));
-  petsc(SNESLineSearchShellSetUserFunc(
-      search,
-      [](SNESLineSearch search, void *self) {
-        Vec x, f, y;
-        PetscErrorCode code = SNESLineSearchGetVecs(search, &x, &f, &y, nullptr, nullptr);
-        SNES snes;
-        code = code ? code : SNESLineSearchGetSNES(search, &snes);
-        static_cast<Implementation *>(self)->update(x, y);
-        code = code ? code : SNESComputeFunction(snes, x, f);
-        code = code ? code : SNESLineSearchComputeNorms(search);
-        return code ? code : SNESLineSearchSetReason(search, SNES_LINESEARCH_SUCCEEDED);
-      },
-      this));
 }
 
 NewtonSolver::Implementation::~Implementation()
 {
-  SNESDestroy(&snes);
-  MatDestroy(&shell);
-  for (Vec *vector : {&x, &f, &u, &residual, &force, &free_force, &response, &start, &direction})
+  for (Vec *vector : {&u, &residual, &force, &free_force, &response, &start, &direction})
     VecDestroy(vector);
-}
-
-double NewtonSolver::Implementation::parameter_of(Vec vector) const
-{
-  double parameter = 0;
-  if (holds_parameter) {
-    PetscInt size;
-    const double *values;
-    petsc(VecGetLocalSize(vector, &size));
-    petsc(VecGetArrayRead(vector, &values));
-    parameter = values[size - 1];
-    petsc(VecRestoreArrayRead(vector, &values));
-  }
-  return sum(parameter);
-}
-
-void NewtonSolver::Implementation::combine(Vec displacement, double parameter, Vec vector) const
-{
-  PetscInt size;
-  const double *from;
-  double *to;
-  petsc(VecGetLocalSize(displacement, &size));
-  petsc(VecGetArrayRead(displacement, &from));
-  petsc(VecGetArray(vector, &to));
-  std::copy(from, from + size, to);
-  if (holds_parameter)
-    to[size] = parameter;
-  petsc(VecRestoreArray(vector, &to));
-  petsc(VecRestoreArrayRead(displacement, &from));
-}
-
-void NewtonSolver::Implementation::split(Vec vector, Vec displacement) const
-{
-  PetscInt size;
-  const double *from;
-  double *to;
-  petsc(VecGetLocalSize(displacement, &size));
-  petsc(VecGetArrayRead(vector, &from));
-  petsc(VecGetArray(displacement, &to));
-  std::copy(from, from + size, to);
-  petsc(VecRestoreArray(displacement, &to));
-  petsc(VecRestoreArrayRead(vector, &from));
 }
 
 void NewtonSolver::Implementation::assemble_residual()
@@ -344,7 +221,7 @@ bool NewtonSolver::Implementation::factorise()
   return done;
 }
 
-void NewtonSolver::Implementation::solve_bordered(Vec f, Vec y)
+void NewtonSolver::Implementation::solve(Vec f, Vec y)
 {
   split(f, residual);
   system.solve_held(residual, u);
@@ -462,9 +339,8 @@ NewtonSolver::Outcome NewtonSolver::solve(State &state, const Target &target)
   impl_->convex = false;
   impl_->system.scatter(state.displacement, impl_->u);
   petsc(VecCopy(impl_->u, impl_->start));
-  impl_->combine(impl_->u, impl_->parameter(state), impl_->x);
   impl_->begin_iteration(0);
-  petsc(SNESSolve(impl_->snes, nullptr, impl_->x));
+  impl_->iterate(impl_->u, impl_->parameter(state));
   if (!impl_->outcome.converged && impl_->outcome.reason.empty())
     impl_->outcome.reason = "the linear system could not be solved";
   return impl_->outcome;
