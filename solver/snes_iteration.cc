@@ -6,6 +6,26 @@
 namespace ballonet::solver
 {
 
+namespace
+{
+
+/// Copies this rank's displacements between two vectors of which one may have the parameter behind them.
+void copy_displacement(Vec from, Vec to)
+{
+  PetscInt size_from, size_to;
+  const double *source;
+  double *target;
+  petsc(VecGetLocalSize(from, &size_from));
+  petsc(VecGetLocalSize(to, &size_to));
+  petsc(VecGetArrayRead(from, &source));
+  petsc(VecGetArray(to, &target));
+  std::copy_n(source, std::min(size_from, size_to), target);
+  petsc(VecRestoreArray(to, &target));
+  petsc(VecRestoreArrayRead(from, &source));
+}
+
+} // namespace
+
 SnesIteration::SnesIteration(const LinearSystem &system, MPI_Comm comm, int max_iterations) : comm_(comm)
 {
   int rank, ranks;
@@ -128,30 +148,17 @@ double SnesIteration::parameter_of(Vec vector) const
 
 void SnesIteration::combine(Vec displacement, double parameter, Vec vector) const
 {
+  copy_displacement(displacement, vector);
+  if (!holds_parameter_)
+    return;
   PetscInt size;
-  const double *from;
-  double *to;
-  petsc(VecGetLocalSize(displacement, &size));
-  petsc(VecGetArrayRead(displacement, &from));
-  petsc(VecGetArray(vector, &to));
-  std::copy(from, from + size, to);
-  if (holds_parameter_)
-    to[size] = parameter;
-  petsc(VecRestoreArray(vector, &to));
-  petsc(VecRestoreArrayRead(displacement, &from));
+  double *values;
+  petsc(VecGetLocalSize(vector, &size));
+  petsc(VecGetArray(vector, &values));
+  values[size - 1] = parameter;
+  petsc(VecRestoreArray(vector, &values));
 }
 
-void SnesIteration::split(Vec vector, Vec displacement) const
-{
-  PetscInt size;
-  const double *from;
-  double *to;
-  petsc(VecGetLocalSize(displacement, &size));
-  petsc(VecGetArrayRead(vector, &from));
-  petsc(VecGetArray(displacement, &to));
-  std::copy(from, from + size, to);
-  petsc(VecRestoreArray(displacement, &to));
-  petsc(VecRestoreArrayRead(vector, &from));
-}
+void SnesIteration::split(Vec vector, Vec displacement) const { copy_displacement(vector, displacement); }
 
 } // namespace ballonet::solver

@@ -89,8 +89,8 @@ struct ContactDefaults {
                "how far the surfaces give before they slide: friction builds up over it and is kept from step to step");
     v.quantity(
         "viscous_velocity", self.viscous_velocity, "mm/s", 1e-6, 1e9,
-        "sliding speed at which friction has doubled, as that of rubber grows with speed; it keeps a balloon that "
-        "begins to slide from jumping");
+        "sliding speed at which friction has doubled: a regularisation that keeps a balloon from jumping when it "
+        "begins to slide");
     v.quantity("penetration_limit", self.penetration_limit, "mm", 0, 10, "a step that ends deeper is rejected");
   }
 };
