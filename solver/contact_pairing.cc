@@ -1,81 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "solver/contact_pairing.h"
-#include "solver/contact_quadrature.h"
+#include "solver/contact_pair_patches.h"
 #include <algorithm>
-#include <set>
-#include <stdexcept>
 
 namespace ballonet::solver::contact
 {
 
 namespace
 {
-
-void check(const ContactPair &pair)
-{
-  if (pair.thickness <= 0 || pair.stiffness <= 0 || pair.onset < 0 || pair.friction < 0)
-    throw std::invalid_argument("contact pair \"" + pair.name +
-                                "\": thickness and stiffness must be positive, onset and friction not negative");
-  if (pair.passes != 1 && pair.passes != 2)
-    throw std::invalid_argument("contact pair \"" + pair.name + "\": " + std::to_string(pair.passes) +
-                                " passes, allowed are 1 and 2");
-}
-
-using FaceKey = std::pair<std::uint32_t, std::uint32_t>;
-
-FaceKey key(const Face &face) { return {face.cell, face.local}; }
-
-std::set<FaceKey> keys(const std::vector<Patch> &patches)
-{
-  std::set<FaceKey> keys;
-  for (const Patch &patch : patches)
-    keys.insert(key(patch.face));
-  return keys;
-}
-
-/// Secondary and primary patches in one list with their points. The area is shared by two passes, and by both roles of
-/// a face that touches itself.
-std::vector<Patch> both_surfaces(const Mesh &mesh, const ContactPair &pair)
-{
-  std::vector<Patch> patches = patches_of(mesh, pair.secondary, 0),
-                     primary = patches_of(mesh, pair.primary, pair.thickness);
-  const auto secondary_faces = keys(patches), primary_faces = keys(primary);
-  auto share = [&](const Patch &patch) {
-    const bool both = secondary_faces.count(key(patch.face)) && primary_faces.count(key(patch.face));
-    return 1. / pair.passes / (both ? 2 : 1);
-  };
-  for (Patch &patch : patches)
-    patch.points = gauss_points(mesh, patch, pair.points_per_side, share(patch));
-  const auto n_secondary = static_cast<std::uint32_t>(patches.size());
-  for (Patch &patch : primary) {
-    if (pair.passes == 2)
-      patch.points = points_with_edges(mesh, patch, pair.thickness / 2, share(patch));
-    for (auto &neighbour : patch.neighbour)
-      if (neighbour)
-        neighbour->patch += n_secondary;
-    patches.push_back(std::move(patch));
-  }
-  return patches;
-}
-
-/// The distance of two patches at rest, found from 3 x 3 points of the first.
-double distance_at_rest(const PatchNodes &from, const PatchNodes &to, const PatchRange &range)
-{
-  double smallest = infinity;
-  for (const Point3 &x : from)
-    smallest = std::min(smallest, closest_point(to, range, x).distance);
-  return smallest;
-}
-
-/// Whether cells of the bodies on one side are also on the other.
-bool touches_itself(const Mesh &mesh, const std::vector<Patch> &patches, std::uint32_t n_secondary)
-{
-  std::set<std::uint32_t> bodies;
-  for (std::uint32_t p = 0; p < n_secondary; ++p)
-    bodies.insert(mesh.cell_body[patches[p].face.cell]);
-  return std::any_of(patches.begin() + n_secondary, patches.end(),
-                     [&](const Patch &patch) { return bodies.count(mesh.cell_body[patch.face.cell]) > 0; });
-}
 
 /// For each parameter the side beyond which the point would be nearer, or -1.
 std::array<int, 2> sides_reached(const ClosestPoint &c)
@@ -88,6 +20,31 @@ std::array<int, 2> sides_reached(const ClosestPoint &c)
 }
 
 } // namespace
+
+/// Nodes of the patches in one state, found when first asked for.
+class ContactPairing::CurrentPatches
+{
+public:
+  CurrentPatches(const ContactPairing &pairing, const CurrentPosition &position)
+      : patches_(pairing.patches_), position_(position), nodes_(patches_.size()), known_(patches_.size(), false)
+  {
+  }
+
+  const PatchNodes &operator[](std::uint32_t patch)
+  {
+    if (!known_[patch]) {
+      nodes_[patch] = at_depth(patches_[patch], position_);
+      known_[patch] = true;
+    }
+    return nodes_[patch];
+  }
+
+private:
+  const std::vector<Patch> &patches_;
+  CurrentPosition position_;
+  std::vector<PatchNodes> nodes_;
+  std::vector<bool> known_;
+};
 
 /// All patches in one state, and the primary ones in a tree.
 struct ContactPairing::Surroundings {
@@ -122,8 +79,7 @@ ContactPairing::ContactPairing(const Mesh &mesh, const ContactPair &pair,
                                const std::function<bool(std::uint32_t cell)> &owned, double margin)
     : mesh_(mesh), margin_(margin)
 {
-  check(pair);
-  patches_ = both_surfaces(mesh, pair);
+  patches_ = patches_of_pair(mesh, pair);
   n_secondary_ = 0;
   for (std::uint32_t p = 0; p < patches_.size(); ++p) {
     Patch &patch = patches_[p];
@@ -150,7 +106,7 @@ void ContactPairing::find_neighbours(double bound)
     now.primary.overlapping(now.boxes[s].enlarged(bound), [&](std::uint32_t index) {
       const std::uint32_t p = n_secondary_ + index;
       const bool same_body = mesh_.cell_body[patches_[s].face.cell] == mesh_.cell_body[patches_[p].face.cell];
-      if (same_body && distance_at_rest(now.nodes[s], now.nodes[p], patches_[p].range) < bound)
+      if (same_body && distance_of(now.nodes[s], now.nodes[p], patches_[p].range) < bound)
         neighbours_.insert(pair_key(s, p));
     });
 }
@@ -163,7 +119,7 @@ PairedPoint ContactPairing::paired_point(std::uint32_t index, CurrentPatches &no
   const auto &[patch, xi] = pairings_[index];
   const auto &[own_xi, area] = patches_[own].points[point];
   const std::size_t number = patches_[own].first_point + point;
-  PairedPoint p = {own, own_xi, area, number, patch, interpolate(nodes[own], patch_shapes(own_xi).value), {}, 0};
+  PairedPoint p = {index, own, own_xi, area, number, patch, interpolate(nodes[own], patch_shapes(own_xi).value), {}, 0};
   p.closest = closest_point(nodes[patch], patches_[patch].range, p.position, xi);
   p.penetration = radius(own, patch) - p.closest.distance;
   for (int k = 0; crossing_ && k < most_crossings && cross(p, nodes); ++k) {
@@ -192,8 +148,27 @@ bool ContactPairing::cross(PairedPoint &p, CurrentPatches &nodes) const
   return p.patch != here.patch;
 }
 
+const std::vector<PairedPoint> &ContactPairing::points_at(std::span<const double> displacement) const
+{
+  if (std::ranges::equal(displacement, found_.displacement))
+    return found_.points;
+  found_ = {{displacement.begin(), displacement.end()}, {}};
+  CurrentPatches patches(*this, {mesh_, displacement});
+  for (const std::uint32_t index : paired_)
+    found_.points.push_back(paired_point(index, patches));
+  return found_.points;
+}
+
+void ContactPairing::allow_crossing(bool allowed)
+{
+  if (allowed != crossing_)
+    found_ = {};
+  crossing_ = allowed;
+}
+
 void ContactPairing::begin_step()
 {
+  found_ = {};
   std::fill(pairings_.begin(), pairings_.end(), Pairing());
   couplings_.clear();
   coupled_.clear();
@@ -215,6 +190,7 @@ void ContactPairing::for_each_near(const Surroundings &now, double margin, Visit
 
 void ContactPairing::search(std::span<const double> displacement)
 {
+  found_ = {};
   const Surroundings now(*this, {mesh_, displacement});
   std::vector<std::vector<std::uint32_t>> near(patches_.size());
   const std::size_t before = couplings_.size();

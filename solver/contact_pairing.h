@@ -13,6 +13,7 @@ namespace ballonet::solver::contact
 
 /// A quadrature point of a patch with the patch of the other surface it looks at, in one state.
 struct PairedPoint {
+  std::uint32_t index; ///< among the points of this rank
   std::uint32_t own;   ///< the patch that the point is on
   Parameters2 own_xi;  ///< where
   double area;         ///< mm^2 at rest that it stands for
@@ -51,11 +52,11 @@ public:
 
   /// Whether points may cross into neighbouring patches between two searches. In a concave corner two patches are
   /// equally near and a point could change sides for ever.
-  void allow_crossing(bool allowed) { crossing_ = allowed; }
+  void allow_crossing(bool allowed);
 
-  /// Calls visit(index, PairedPoint) for all paired points in ascending order.
-  template <class Visit>
-  void for_each(std::span<const double> displacement, Visit visit) const;
+  /// All paired points in ascending order, found once for all who ask at the same displacement. Valid until the next
+  /// call.
+  const std::vector<PairedPoint> &points_at(std::span<const double> displacement) const;
 
   /// The (secondary patch, primary cell) pairs that have come within reach in this step: only these are ever paired.
   const std::vector<std::array<std::uint32_t, 2>> &couplings() const { return couplings_; }
@@ -99,6 +100,11 @@ private:
   std::vector<std::uint32_t> paired_; ///< indices of the points that have a patch
   std::vector<std::array<std::uint32_t, 2>> couplings_;
   std::unordered_set<std::uint64_t> coupled_, neighbours_;
+  struct Found {
+    std::vector<double> displacement;
+    std::vector<PairedPoint> points;
+  };
+  mutable Found found_; ///< what points_at() has found last
 
   void find_neighbours(double bound);
   static std::uint64_t pair_key(std::uint32_t a, std::uint32_t b)
@@ -114,38 +120,5 @@ private:
   bool cross(PairedPoint &, CurrentPatches &) const;
   Pairing nearest(std::uint32_t index, const std::vector<std::uint32_t> &candidates, const Surroundings &) const;
 };
-
-/// Nodes of the patches in one state, found when first asked for.
-class ContactPairing::CurrentPatches
-{
-public:
-  CurrentPatches(const ContactPairing &pairing, const CurrentPosition &position)
-      : patches_(pairing.patches_), position_(position), nodes_(patches_.size()), known_(patches_.size(), false)
-  {
-  }
-
-  const PatchNodes &operator[](std::uint32_t patch)
-  {
-    if (!known_[patch]) {
-      nodes_[patch] = at_depth(patches_[patch], position_);
-      known_[patch] = true;
-    }
-    return nodes_[patch];
-  }
-
-private:
-  const std::vector<Patch> &patches_;
-  CurrentPosition position_;
-  std::vector<PatchNodes> nodes_;
-  std::vector<bool> known_;
-};
-
-template <class Visit>
-void ContactPairing::for_each(std::span<const double> displacement, Visit visit) const
-{
-  CurrentPatches patches(*this, {mesh_, displacement});
-  for (const std::uint32_t index : paired_)
-    visit(index, paired_point(index, patches));
-}
 
 } // namespace ballonet::solver::contact

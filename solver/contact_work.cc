@@ -3,6 +3,8 @@
 #include "solver/contact_forces.h"
 #include "solver/contact_step.h"
 #include "solver/contact_tangent.h"
+#include <cmath>
+#include <numeric>
 
 namespace ballonet::solver
 {
@@ -50,16 +52,24 @@ ContactWork::ContactWork(const Mesh &mesh, const ContactPair &pair,
 template <class Visit>
 void ContactWork::for_each_touching(const State &state, Visit visit) const
 {
-  pairing_.for_each(state.displacement, [&](std::uint32_t index, const PairedPoint &p) {
+  for (const PairedPoint &p : pairing_.points_at(state.displacement))
     if (p.penetration > 0)
-      visit(index, p);
-  });
+      visit(p);
+}
+
+/// Largest change of a displacement since the last search, mm.
+double ContactWork::moved(const State &state) const
+{
+  return std::transform_reduce(
+      searched_.begin(), searched_.end(), state.displacement.begin(), 0.,
+      [](double a, double b) { return std::max(a, b); }, [](double from, double to) { return std::abs(to - from); });
 }
 
 void ContactWork::search(const State &state)
 {
   const std::size_t before = pairing_.couplings().size();
   pairing_.search(state.displacement);
+  searched_ = state.displacement;
   couplings_changed_ = pairing_.couplings().size() > before;
 }
 
@@ -72,9 +82,9 @@ void ContactWork::begin_step(const State &start, const Step &step)
   friction_law_.viscous_slip = viscous_velocity_ * step.dt;
   sliding_.clear();
   std::fill(stored_pressure_.begin(), stored_pressure_.end(), 0.);
-  for_each_touching(start, [&](std::uint32_t index, const PairedPoint &p) {
-    stored_pressure_[index] = law_.pressure(p.penetration);
-    if (const double strength = friction_ * stored_pressure_[index]; strength > 0) {
+  for_each_touching(start, [&](const PairedPoint &p) {
+    stored_pressure_[p.index] = law_.pressure(p.penetration);
+    if (const double strength = friction_ * stored_pressure_[p.index]; strength > 0) {
       const auto friction =
           friction_law_.begin(strength, p.area, p.closest.normal, remembered_traction(start, first_point_ + p.number));
       sliding_.push_back(sliding_point(pairing_, p, start.displacement, friction));
@@ -102,7 +112,7 @@ void ContactWork::begin_iteration(const State &state, int iteration)
 {
   couplings_changed_ = false;
   pairing_.allow_crossing(iteration < options_.crossing_iterations);
-  if (iteration < options_.search_iterations)
+  if (moved(state) > (iteration < options_.search_iterations ? 0.05 : 0.5) * options_.margin)
     search(state);
 }
 
@@ -124,7 +134,7 @@ Point3 ContactWork::friction_force(const SlidingPoint &s, const State &state) co
 double ContactWork::energy(const State &state) const
 {
   double sum = 0;
-  for_each_touching(state, [&](std::uint32_t, const PairedPoint &p) { sum += p.area * law_.energy(p.penetration); });
+  for_each_touching(state, [&](const PairedPoint &p) { sum += p.area * law_.energy(p.penetration); });
   for (const SlidingPoint &s : sliding_)
     sum += friction_law_.energy(s.friction, slip(s, pairing_, state.displacement));
   return sum;
@@ -134,7 +144,7 @@ void ContactWork::residual(const State &state, Assembly &assembly) const
 {
   const auto &patches = pairing_.patches();
   ForceBuffer buffer(pairing_);
-  for_each_touching(state, [&](std::uint32_t, const PairedPoint &p) {
+  for_each_touching(state, [&](const PairedPoint &p) {
     const Point3 force = p.area * law_.pressure(p.penetration) * p.closest.normal;
     buffer.add(p.own, node_weights(patches[p.own], patch_shapes(p.own_xi).value), -force);
     buffer.add(p.patch, node_weights(patches[p.patch], patch_shapes(p.closest.xi).value), force);
@@ -150,8 +160,8 @@ void ContactWork::residual(const State &state, Assembly &assembly) const
 void ContactWork::tangent(const State &state, Assembly &assembly) const
 {
   std::vector<NormalContact> normal;
-  for_each_touching(state, [&](std::uint32_t index, const PairedPoint &p) {
-    const double stress = convex_ ? 0 : stored_pressure_[index];
+  for_each_touching(state, [&](const PairedPoint &p) {
+    const double stress = convex_ ? 0 : stored_pressure_[p.index];
     normal.push_back({p, p.area * law_.slope(p.penetration), p.area * stress});
   });
   std::vector<SlidingContact> sliding;
@@ -167,12 +177,12 @@ void ContactWork::advance(const State &from, std::span<const double> increment, 
   std::vector<PatchNodes> increments;
   for (const Patch &patch : pairing_.patches())
     increments.push_back(at_depth(patch, field));
-  for_each_touching(from, [&](std::uint32_t index, const PairedPoint &p) {
+  for_each_touching(from, [&](const PairedPoint &p) {
     const Point3 relative = interpolate(increments[p.own], patch_shapes(p.own_xi).value) -
                             interpolate(increments[p.patch], patch_shapes(p.closest.xi).value);
     const double predicted =
         law_.pressure(p.penetration) - law_.slope(p.penetration) * fraction * (p.closest.normal * relative);
-    stored_pressure_[index] = std::max(predicted, 0.);
+    stored_pressure_[p.index] = std::max(predicted, 0.);
   });
 }
 
@@ -189,7 +199,7 @@ ContactSummary ContactWork::summary(const State &state) const
     summary.primary_force[pairing_.patches()[primary].surface] += -force_on_secondary;
     summary.secondary_force += force_on_secondary;
   };
-  for_each_touching(state, [&](std::uint32_t, const PairedPoint &p) {
+  for_each_touching(state, [&](const PairedPoint &p) {
     const Point3 force = p.area * law_.pressure(p.penetration) * p.closest.normal;
     if (pairing_.is_secondary(p.own))
       add(p.patch, force);
@@ -208,22 +218,21 @@ ContactSummary ContactWork::summary(const State &state) const
 double ContactWork::missed_force(const State &state) const
 {
   std::vector<bool> touches(pairing_.n_points(), false);
-  for_each_touching(state, [&](std::uint32_t index, const PairedPoint &) { touches[index] = true; });
+  for_each_touching(state, [&](const PairedPoint &p) { touches[p.index] = true; });
   ContactPairing afresh = pairing_;
   afresh.allow_crossing(true);
   afresh.search(state.displacement);
   double missed = 0;
-  afresh.for_each(state.displacement, [&](std::uint32_t index, const PairedPoint &p) {
-    if (!touches[index])
+  for (const PairedPoint &p : afresh.points_at(state.displacement))
+    if (!touches[p.index])
       missed += p.area * law_.pressure(p.penetration);
-  });
   return missed;
 }
 
 std::vector<ContactPoint> ContactWork::contact_points(const State &state) const
 {
   std::vector<ContactPoint> points;
-  for_each_touching(state, [&](std::uint32_t, const PairedPoint &p) {
+  for_each_touching(state, [&](const PairedPoint &p) {
     const Face own = pairing_.patches()[p.own].face, other = pairing_.patches()[p.patch].face;
     const Point3 closest = p.position - p.closest.distance * p.closest.normal;
     const bool felt_by_secondary = pairing_.is_secondary(p.own);

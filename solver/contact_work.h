@@ -10,7 +10,7 @@ namespace ballonet::solver
 
 struct ContactOptions {
   double margin = 0.2;         ///< mm beyond the contact distance within which points and patches are paired
-  int search_iterations = 6;   ///< the pairing is frozen from this iteration of a step on
+  int search_iterations = 6;   ///< from this iteration of a step on only motion by half the margin calls for a search
   int crossing_iterations = 8; ///< from this one on points stay on their patch
 };
 
@@ -60,7 +60,9 @@ private:
   contact::FrictionLaw friction_law_;
   std::vector<contact::SlidingPoint> sliding_;
   std::vector<double> stored_pressure_; ///< MPa, one per point
+  std::vector<double> searched_;        ///< displacement at the last search, mm
 
+  double moved(const State &) const;
   void search(const State &);
   template <class Visit>
   void for_each_touching(const State &, Visit visit) const;

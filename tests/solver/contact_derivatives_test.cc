@@ -62,10 +62,9 @@ std::array<int, 3> kinds(const ContactScene &scene, Felt felt)
   contact::ContactPairing pairing(scene.mesh, scene.pair, all_owned, 1);
   pairing.search(scene.state.displacement);
   std::array<int, 3> count = {};
-  pairing.for_each(scene.state.displacement, [&](std::uint32_t, const contact::PairedPoint &p) {
+  for (const contact::PairedPoint &p : pairing.points_at(scene.state.displacement))
     if (p.penetration > 0 && pairing.is_secondary(p.own) == (felt == Felt::by_secondary))
       ++count[p.closest.free[0] + p.closest.free[1]];
-  });
   return count;
 }
 
