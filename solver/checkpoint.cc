@@ -25,6 +25,7 @@ void for_each_scalar(Progress &p, const Visit &visit)
   visit("stretch", p.stretch);
   visit("dt", p.dt);
   visit("arc_length", p.arc_length);
+  visit("dissipation", p.dissipation);
   visit("ceiling", p.ceiling);
   visit("volume", p.volume);
   visit("pressure_peak", p.pressure_peak);

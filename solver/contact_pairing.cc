@@ -148,27 +148,29 @@ bool ContactPairing::cross(PairedPoint &p, CurrentPatches &nodes) const
   return p.patch != here.patch;
 }
 
-const std::vector<PairedPoint> &ContactPairing::points_at(std::span<const double> displacement) const
+const std::vector<PairedPoint> &ContactPairing::touching(std::span<const double> displacement) const
 {
   if (std::ranges::equal(displacement, found_.displacement))
     return found_.points;
-  found_ = {{displacement.begin(), displacement.end()}, {}};
+  found_.displacement.assign(displacement.begin(), displacement.end());
+  found_.points.clear();
   CurrentPatches patches(*this, {mesh_, displacement});
   for (const std::uint32_t index : paired_)
-    found_.points.push_back(paired_point(index, patches));
+    if (const PairedPoint p = paired_point(index, patches); p.penetration > 0)
+      found_.points.push_back(p);
   return found_.points;
 }
 
 void ContactPairing::allow_crossing(bool allowed)
 {
   if (allowed != crossing_)
-    found_ = {};
+    found_.displacement.clear();
   crossing_ = allowed;
 }
 
 void ContactPairing::begin_step()
 {
-  found_ = {};
+  found_.displacement.clear();
   std::fill(pairings_.begin(), pairings_.end(), Pairing());
   couplings_.clear();
   coupled_.clear();
@@ -190,7 +192,7 @@ void ContactPairing::for_each_near(const Surroundings &now, double margin, Visit
 
 void ContactPairing::search(std::span<const double> displacement)
 {
-  found_ = {};
+  found_.displacement.clear();
   const Surroundings now(*this, {mesh_, displacement});
   std::vector<std::vector<std::uint32_t>> near(patches_.size());
   const std::size_t before = couplings_.size();

@@ -54,9 +54,9 @@ public:
   /// equally near and a point could change sides for ever.
   void allow_crossing(bool allowed);
 
-  /// All paired points in ascending order, found once for all who ask at the same displacement. Valid until the next
-  /// call.
-  const std::vector<PairedPoint> &points_at(std::span<const double> displacement) const;
+  /// The paired points that touch (positive penetration) in ascending order, found once for all who ask at the same
+  /// displacement. Valid until the next call.
+  const std::vector<PairedPoint> &touching(std::span<const double> displacement) const;
 
   /// The (secondary patch, primary cell) pairs that have come within reach in this step: only these are ever paired.
   const std::vector<std::array<std::uint32_t, 2>> &couplings() const { return couplings_; }
@@ -104,7 +104,7 @@ private:
     std::vector<double> displacement;
     std::vector<PairedPoint> points;
   };
-  mutable Found found_; ///< what points_at() has found last
+  mutable Found found_; ///< what touching() has found last
 
   void find_neighbours(double bound);
   static std::uint64_t pair_key(std::uint32_t a, std::uint32_t b)

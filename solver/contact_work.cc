@@ -49,14 +49,6 @@ ContactWork::ContactWork(const Mesh &mesh, const ContactPair &pair,
 {
 }
 
-template <class Visit>
-void ContactWork::for_each_touching(const State &state, Visit visit) const
-{
-  for (const PairedPoint &p : pairing_.points_at(state.displacement))
-    if (p.penetration > 0)
-      visit(p);
-}
-
 /// Largest change of a displacement since the last search, mm.
 double ContactWork::moved(const State &state) const
 {
@@ -82,14 +74,14 @@ void ContactWork::begin_step(const State &start, const Step &step)
   friction_law_.viscous_slip = viscous_velocity_ * step.dt;
   sliding_.clear();
   std::fill(stored_pressure_.begin(), stored_pressure_.end(), 0.);
-  for_each_touching(start, [&](const PairedPoint &p) {
+  for (const PairedPoint &p : touching(start)) {
     stored_pressure_[p.index] = law_.pressure(p.penetration);
     if (const double strength = friction_ * stored_pressure_[p.index]; strength > 0) {
       const auto friction =
           friction_law_.begin(strength, p.area, p.closest.normal, remembered_traction(start, first_point_ + p.number));
       sliding_.push_back(sliding_point(pairing_, p, start.displacement, friction));
     }
-  });
+  }
 }
 
 std::size_t ContactWork::number_points_from(std::size_t first)
@@ -134,7 +126,9 @@ Point3 ContactWork::friction_force(const SlidingPoint &s, const State &state) co
 double ContactWork::energy(const State &state) const
 {
   double sum = 0;
-  for_each_touching(state, [&](const PairedPoint &p) { sum += p.area * law_.energy(p.penetration); });
+  for (const PairedPoint &p : touching(state)) {
+    sum += p.area * law_.energy(p.penetration);
+  }
   for (const SlidingPoint &s : sliding_)
     sum += friction_law_.energy(s.friction, slip(s, pairing_, state.displacement));
   return sum;
@@ -144,11 +138,11 @@ void ContactWork::residual(const State &state, Assembly &assembly) const
 {
   const auto &patches = pairing_.patches();
   ForceBuffer buffer(pairing_);
-  for_each_touching(state, [&](const PairedPoint &p) {
+  for (const PairedPoint &p : touching(state)) {
     const Point3 force = p.area * law_.pressure(p.penetration) * p.closest.normal;
     buffer.add(p.own, node_weights(patches[p.own], patch_shapes(p.own_xi).value), -force);
     buffer.add(p.patch, node_weights(patches[p.patch], patch_shapes(p.closest.xi).value), force);
-  });
+  }
   for (const SlidingPoint &s : sliding_) {
     const Point3 force = friction_force(s, state);
     buffer.add(s.secondary.patch, s.secondary.weights, force);
@@ -160,10 +154,10 @@ void ContactWork::residual(const State &state, Assembly &assembly) const
 void ContactWork::tangent(const State &state, Assembly &assembly) const
 {
   std::vector<NormalContact> normal;
-  for_each_touching(state, [&](const PairedPoint &p) {
+  for (const PairedPoint &p : touching(state)) {
     const double stress = convex_ ? 0 : stored_pressure_[p.index];
     normal.push_back({p, p.area * law_.slope(p.penetration), p.area * stress});
-  });
+  }
   std::vector<SlidingContact> sliding;
   for (const SlidingPoint &s : sliding_)
     sliding.push_back({&s, friction_law_.tangent(s.friction, slip(s, pairing_, state.displacement))});
@@ -177,13 +171,13 @@ void ContactWork::advance(const State &from, std::span<const double> increment, 
   std::vector<PatchNodes> increments;
   for (const Patch &patch : pairing_.patches())
     increments.push_back(at_depth(patch, field));
-  for_each_touching(from, [&](const PairedPoint &p) {
+  for (const PairedPoint &p : touching(from)) {
     const Point3 relative = interpolate(increments[p.own], patch_shapes(p.own_xi).value) -
                             interpolate(increments[p.patch], patch_shapes(p.closest.xi).value);
     const double predicted =
         law_.pressure(p.penetration) - law_.slope(p.penetration) * fraction * (p.closest.normal * relative);
     stored_pressure_[p.index] = std::max(predicted, 0.);
-  });
+  }
 }
 
 double ContactWork::largest_step(const State &state, std::span<const double> increment) const
@@ -199,7 +193,7 @@ ContactSummary ContactWork::summary(const State &state) const
     summary.primary_force[pairing_.patches()[primary].surface] += -force_on_secondary;
     summary.secondary_force += force_on_secondary;
   };
-  for_each_touching(state, [&](const PairedPoint &p) {
+  for (const PairedPoint &p : touching(state)) {
     const Point3 force = p.area * law_.pressure(p.penetration) * p.closest.normal;
     if (pairing_.is_secondary(p.own))
       add(p.patch, force);
@@ -209,7 +203,7 @@ ContactSummary ContactWork::summary(const State &state) const
     summary.area += p.area;
     summary.penetration = std::max(summary.penetration, p.penetration);
     ++summary.points;
-  });
+  }
   for (const SlidingPoint &s : sliding_)
     add(s.primary.patch, -friction_force(s, state));
   return summary;
@@ -218,12 +212,14 @@ ContactSummary ContactWork::summary(const State &state) const
 double ContactWork::missed_force(const State &state) const
 {
   std::vector<bool> touches(pairing_.n_points(), false);
-  for_each_touching(state, [&](const PairedPoint &p) { touches[p.index] = true; });
+  for (const PairedPoint &p : touching(state)) {
+    touches[p.index] = true;
+  }
   ContactPairing afresh = pairing_;
   afresh.allow_crossing(true);
   afresh.search(state.displacement);
   double missed = 0;
-  for (const PairedPoint &p : afresh.points_at(state.displacement))
+  for (const PairedPoint &p : afresh.touching(state.displacement))
     if (!touches[p.index])
       missed += p.area * law_.pressure(p.penetration);
   return missed;
@@ -232,14 +228,14 @@ double ContactWork::missed_force(const State &state) const
 std::vector<ContactPoint> ContactWork::contact_points(const State &state) const
 {
   std::vector<ContactPoint> points;
-  for_each_touching(state, [&](const PairedPoint &p) {
+  for (const PairedPoint &p : touching(state)) {
     const Face own = pairing_.patches()[p.own].face, other = pairing_.patches()[p.patch].face;
     const Point3 closest = p.position - p.closest.distance * p.closest.normal;
     const bool felt_by_secondary = pairing_.is_secondary(p.own);
     points.push_back({felt_by_secondary ? own : other, felt_by_secondary ? other : own,
                       to_array(felt_by_secondary ? p.position : closest), p.area, law_.pressure(p.penetration),
                       p.penetration});
-  });
+  }
   return points;
 }
 

@@ -64,8 +64,10 @@ private:
 
   double moved(const State &) const;
   void search(const State &);
-  template <class Visit>
-  void for_each_touching(const State &, Visit visit) const;
+  const std::vector<contact::PairedPoint> &touching(const State &state) const
+  {
+    return pairing_.touching(state.displacement);
+  }
   contact::Point3 friction_force(const contact::SlidingPoint &, const State &) const;
 };
 

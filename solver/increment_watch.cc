@@ -17,7 +17,8 @@ double IncrementWatch::trusted(std::span<const double> increment, double bearabl
   if (increments_ == 1)
     first_size_ = size;
   struggling_ = increments_ > 2 && size > shrink * last_size_;
-  struggles_ += struggling_;
+  struggles_ += struggling_ && !held_back_;
+  held_back_ = bearable < 1;
   const double fraction = std::min(bearable, size > growth * first_size_ ? growth * first_size_ / size : 1.);
   last_size_ = fraction * size;
   return fraction;

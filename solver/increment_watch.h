@@ -31,8 +31,8 @@ private:
   double first_size_ = 0, last_size_ = 0;
   std::size_t largest_ = 0;
   int increments_ = 0;
-  bool struggling_ = false;
-  int struggles_ = 0;   ///< increments that did not shrink
+  bool struggling_ = false, held_back_ = false; ///< the latter: not all of the last increment was bearable
+  int struggles_ = 0;   ///< increments that did not shrink although all of the one before was bearable
   int small_steps_ = 0; ///< in a row
 };
 

@@ -3,7 +3,6 @@
 #include "solver/petsc_call.h"
 #include <algorithm>
 #include <cmath>
-#include <petscksp.h>
 
 namespace ballonet::solver
 {
@@ -100,6 +99,7 @@ LinearSystem::LinearSystem(const Discretization &discretization)
 LinearSystem::~LinearSystem()
 {
   MatDestroy(&matrix_);
+  KSPDestroy(&krylov_);
   PCDestroy(&factor_);
   VecDestroy(&lift_);
   VecDestroy(&sequential_);
@@ -153,7 +153,20 @@ void LinearSystem::rebuild_pattern()
   petsc(PCFactorSetMatSolverType(factor_, MATSOLVERMUMPS));
   petsc(PCSetFromOptions(factor_));
   petsc(PCFactorSetUpMatSolverType(factor_));
+  create_krylov();
   pattern_changed_ = false;
+}
+
+void LinearSystem::create_krylov()
+{
+  constexpr double tolerance = 1e-4;  // keeps Newton's pace
+  constexpr int most_iterations = 12; // cost as much as a factorisation
+  petsc(KSPDestroy(&krylov_));
+  petsc(KSPCreate(discretization_.comm(), &krylov_));
+  petsc(KSPSetType(krylov_, KSPGMRES));
+  petsc(KSPSetPC(krylov_, factor_));
+  petsc(KSPSetOperators(krylov_, matrix_, matrix_));
+  petsc(KSPSetTolerances(krylov_, tolerance, PETSC_DEFAULT, PETSC_DEFAULT, most_iterations));
 }
 
 template <class Visit>
@@ -202,10 +215,8 @@ double LinearSystem::clear_held(Vec vector) const
   return std::sqrt(square);
 }
 
-bool LinearSystem::factorise(const std::vector<VirtualWork *> &works, const State &state)
+void LinearSystem::sum_tangents(const std::vector<VirtualWork *> &works, const State &state)
 {
-  if (pattern_changed_)
-    rebuild_pattern();
   petsc(MatZeroEntries(matrix_));
   petsc(VecSet(lift_, 0));
   TangentAssembly assembly(*this, state);
@@ -217,7 +228,13 @@ bool LinearSystem::factorise(const std::vector<VirtualWork *> &works, const Stat
   petsc(MatAssemblyEnd(matrix_, MAT_FINAL_ASSEMBLY));
   petsc(VecAssemblyBegin(lift_));
   petsc(VecAssemblyEnd(lift_));
+}
 
+bool LinearSystem::factorise_sum()
+{
+  preconditions_ = false;
+  ++factorisations_;
+  petsc(PCSetReusePreconditioner(factor_, PETSC_FALSE));
   petsc(PCSetUp(factor_));
   Mat factor;
   petsc(PCFactorGetMatrix(factor_, &factor));
@@ -230,11 +247,44 @@ bool LinearSystem::factorise(const std::vector<VirtualWork *> &works, const Stat
   return true;
 }
 
-void LinearSystem::keep_factor() { petsc(VecSet(lift_, 0)); }
+bool LinearSystem::factorise(const std::vector<VirtualWork *> &works, const State &state)
+{
+  if (pattern_changed_)
+    rebuild_pattern();
+  sum_tangents(works, state);
+  return factorise_sum();
+}
 
-void LinearSystem::petsc_apply(Vec b, Vec x) const { petsc(PCApply(factor_, b, x)); }
+void LinearSystem::precondition(const std::vector<VirtualWork *> &works, const State &state)
+{
+  sum_tangents(works, state);
+  preconditions_ = true;
+  petsc(PCSetReusePreconditioner(factor_, PETSC_TRUE));
+}
 
-void LinearSystem::solve_held(Vec b, Vec x) const
+void LinearSystem::keep_factor()
+{
+  petsc(VecSet(lift_, 0));
+  preconditions_ = false;
+}
+
+void LinearSystem::solve(Vec b, Vec x)
+{
+  if (preconditions_) {
+    petsc(KSPSolve(krylov_, b, x));
+    KSPConvergedReason reason;
+    petsc(KSPGetConvergedReason(krylov_, &reason));
+    if (reason > 0)
+      return;
+    if (!factorise_sum()) {
+      petsc(VecSet(x, std::nan("")));
+      return;
+    }
+  }
+  petsc(PCApply(factor_, b, x));
+}
+
+void LinearSystem::solve_held(Vec b, Vec x)
 {
   Vec rhs;
   petsc(VecDuplicate(b, &rhs));
@@ -247,7 +297,7 @@ void LinearSystem::solve_held(Vec b, Vec x) const
   for_held([&](int i, double, std::size_t) { values[i] = residual[i]; }); // no force of one held value on another
   petsc(VecRestoreArray(rhs, &values));
   petsc(VecRestoreArrayRead(b, &residual));
-  petsc(PCApply(factor_, rhs, x));
+  solve(rhs, x);
   petsc(VecDestroy(&rhs));
 }
 

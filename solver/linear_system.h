@@ -3,8 +3,7 @@
 #include "solver/coupling_pattern.h"
 #include "solver/virtual_work.h"
 #include <functional>
-#include <petscmat.h>
-#include <petscpc.h>
+#include <petscksp.h>
 
 namespace ballonet::solver
 {
@@ -40,14 +39,19 @@ public:
   double clear_held(Vec vector) const;
   /// Sum of their tangents, factorised. False when MUMPS fails.
   bool factorise(const std::vector<VirtualWork *> &works, const State &state);
+  /// Sum of their tangents, to be solved with by GMRES with the last factor as its preconditioner; it gets a factor of
+  /// its own where that converges too slowly to be worth while.
+  void precondition(const std::vector<VirtualWork *> &works, const State &state);
   /// Leaves the last factor as it is for further solutions in which every held value is met.
   void keep_factor();
+  /// So far.
+  int factorisations() const { return factorisations_; }
   /// Number of negative pivots of the last factorisation.
   int negative_pivots() const { return negative_pivots_; }
   /// x = K^-1 b where the held entries of b are zero.
-  void solve(Vec b, Vec x) const { petsc_apply(b, x); }
+  void solve(Vec b, Vec x);
   /// The same for a residual whose held entries are u - prescribed.
-  void solve_held(Vec b, Vec x) const;
+  void solve_held(Vec b, Vec x);
 
   Vec create_vector() const;
   /// Distributed vector from a replicated field and back (collective).
@@ -58,7 +62,9 @@ private:
   class ResidualAssembly;
   class TangentAssembly;
   void rebuild_pattern();
-  void petsc_apply(Vec b, Vec x) const;
+  void create_krylov();
+  void sum_tangents(const std::vector<VirtualWork *> &works, const State &state);
+  bool factorise_sum();
   /// Calls `visit(local index, prescribed value, displacement index)` for every held equation of this rank.
   template <class Visit>
   void for_held(const Visit &visit) const;
@@ -68,11 +74,13 @@ private:
   CouplingPattern pattern_;
   Mat matrix_ = nullptr;
   PC factor_ = nullptr;
-  Vec lift_ = nullptr; ///< K_fc (u_c - prescribed_c)
+  KSP krylov_ = nullptr;       ///< GMRES on the matrix, preconditioned by the factor
+  bool preconditions_ = false; ///< the factor is that of another matrix
+  Vec lift_ = nullptr;         ///< K_fc (u_c - prescribed_c)
   mutable Vec sequential_ = nullptr;
   VecScatter to_all_ = nullptr;
   bool pattern_changed_ = true;
-  int negative_pivots_ = 0;
+  int negative_pivots_ = 0, factorisations_ = 0;
 };
 
 } // namespace ballonet::solver

@@ -18,7 +18,7 @@ namespace
 class Flexibility
 {
 public:
-  Flexibility(const LinearSystem &system, const std::vector<double> &mass, Vec volume_gradient);
+  Flexibility(LinearSystem &system, const std::vector<double> &mass, Vec volume_gradient);
   ~Flexibility();
   Flexibility(const Flexibility &) = delete;
   Flexibility &operator=(const Flexibility &) = delete;
@@ -33,7 +33,7 @@ private:
   void apply_compliance(Vec force, Vec displacement) const;
   void apply(Vec in, Vec out) const;
 
-  const LinearSystem &system_;
+  LinearSystem &system_;
   std::size_t n_values_;
   Vec root_mass_, force_, displacement_, response_;
   Vec gradient_;
@@ -41,7 +41,7 @@ private:
   Mat shell_ = nullptr;
 };
 
-Flexibility::Flexibility(const LinearSystem &system, const std::vector<double> &mass, Vec volume_gradient)
+Flexibility::Flexibility(LinearSystem &system, const std::vector<double> &mass, Vec volume_gradient)
     : system_(system), n_values_(3 * mass.size()), gradient_(volume_gradient)
 {
   for (Vec *vector : {&root_mass_, &force_, &displacement_, &response_})
@@ -148,8 +148,7 @@ double Mode::frequency() const { return omega_squared > 0 ? std::sqrt(omega_squa
 
 double Mode::growth_rate() const { return omega_squared < 0 ? std::sqrt(-omega_squared) : 0; }
 
-std::vector<Mode> lowest_modes(const LinearSystem &system, const std::vector<double> &mass, Vec volume_gradient,
-                               int count)
+std::vector<Mode> lowest_modes(LinearSystem &system, const std::vector<double> &mass, Vec volume_gradient, int count)
 {
   const Flexibility flexibility(system, mass, volume_gradient);
   std::vector<Mode> modes;

@@ -32,7 +32,6 @@ struct ModeRequest {
 /// shapes shall keep the volume (G . shape = 0), else null. Krylov-Schur iteration (SLEPc) on the inverse, which has
 /// the lowest modes at its two ends: the negative ones, whose number the negative pivots tell, and the others.
 /// Collective. Throws std::runtime_error when it does not converge.
-std::vector<Mode> lowest_modes(const LinearSystem &system, const std::vector<double> &mass, Vec volume_gradient,
-                               int count);
+std::vector<Mode> lowest_modes(LinearSystem &system, const std::vector<double> &mass, Vec volume_gradient, int count);
 
 } // namespace ballonet::solver

@@ -61,6 +61,7 @@ struct NewtonSolver::Implementation : SnesIteration {
   void choose_direction();
   bool linearise() override;
   bool last_factor_serves() const;
+  bool has_factor() const;
   void couple();
   bool factorise();
   void solve(Vec f, Vec y) override;
@@ -149,18 +150,23 @@ void NewtonSolver::Implementation::evaluate(Vec x, Vec out)
   combine(residual, parameter_miss, out);
 }
 
+/// Whether the matrix still has the pattern of a factor of this step.
+bool NewtonSolver::Implementation::has_factor() const { return outcome.residuals.size() > 1 && !new_couplings; }
+
 /// Close to the solution the last factor is nearly the present one; it serves as long as that shows.
 bool NewtonSolver::Implementation::last_factor_serves() const
 {
   const auto &r = outcome.residuals;
-  return outcome.factorisations > 0 && !new_couplings && held_miss < held_tolerance &&
-         r.back() < parameters.reuse_below && r.back() < 0.1 * r[r.size() - 2];
+  return has_factor() && held_miss < held_tolerance && r.back() < parameters.reuse_below &&
+         r.back() < 0.1 * r[r.size() - 2];
 }
 
 bool NewtonSolver::Implementation::linearise()
 {
   if (last_factor_serves()) {
     system.keep_factor();
+  } else if (has_factor() && !convex && outcome.residuals.back() < parameters.krylov_below) {
+    system.precondition(works, *state);
   } else {
     couple();
     if (!factorise()) {
@@ -202,7 +208,6 @@ void NewtonSolver::Implementation::couple()
 /// have too many of them.
 bool NewtonSolver::Implementation::factorise()
 {
-  ++outcome.factorisations;
   if (!system.factorise(works, *state))
     return false;
   outcome.negative_pivots = system.negative_pivots();
@@ -212,7 +217,6 @@ bool NewtonSolver::Implementation::factorise()
   convex = convex || (indefinite && (watch.struggling() || outcome.negative_pivots > first_pivots + 1));
   if (!convex || !indefinite)
     return true;
-  ++outcome.factorisations;
   for (auto *work : works)
     work->convexify(true);
   const bool done = system.factorise(works, *state);
@@ -340,7 +344,9 @@ NewtonSolver::Outcome NewtonSolver::solve(State &state, const Target &target)
   impl_->system.scatter(state.displacement, impl_->u);
   petsc(VecCopy(impl_->u, impl_->start));
   impl_->begin_iteration(0);
+  const int factorisations = impl_->system.factorisations();
   impl_->iterate(impl_->u, impl_->parameter(state));
+  impl_->outcome.factorisations = impl_->system.factorisations() - factorisations;
   if (!impl_->outcome.converged && impl_->outcome.reason.empty())
     impl_->outcome.reason = "the linear system could not be solved";
   return impl_->outcome;

@@ -207,7 +207,7 @@ struct Path {
   double pressure_max = infinity; // MPa
   double initial_pressure = 0;    // MPa, reached together with the full load factor
   double preload_time = 10;       // s: long against every relaxation time, so the preload is quasi-static
-  int preload_steps = 4;
+  int preload_steps = 1;
   int load_steps = 10;
   bool inertia = true;
   Integrator integrator = Integrator::by_control;
@@ -271,7 +271,7 @@ struct Path {
 struct Newton {
   double tolerance = 1e-8;
   double force_floor = 0.5; // N
-  double reuse_below = 1e-3;
+  double krylov_below = 0.1, reuse_below = 1e-3;
   int max_iterations = 25;
   template <class Self, class Visitor>
   static void fields(Self &self, Visitor &v)
@@ -279,6 +279,8 @@ struct Newton {
     v.quantity("tolerance", self.tolerance, "1", 1e-14, 1e-2,
                "residual norm relative to the norm of the applied forces");
     v.quantity("force_floor", self.force_floor, "N", 0, 1e9, "smallest force scale the residual is compared with");
+    v.quantity("krylov_below", self.krylov_below, "1", 0, 1,
+               "below this residual GMRES solves with the new tangent and the last factor as preconditioner; 0: never");
     v.quantity("reuse_below", self.reuse_below, "1", 0, 1,
                "below this residual the last factor serves again as long as the residual falls tenfold; 0: never");
     v.count("max_iterations", self.max_iterations, 1, 1000, "iterations before a step is cut");

@@ -76,10 +76,9 @@ void PathFollower::accept(PathProgress &progress, State &&end, const NewtonSolve
 }
 
 PathPoint PathFollower::point(const PathProgress &progress, const Step &step, const Energies &before,
-                              const NewtonSolver::Outcome &outcome) const
+                              const Energies &after, const NewtonSolver::Outcome &outcome) const
 {
   PathPoint point{progress, step.dt, reference_volume_, outcome};
-  const Energies after = equilibrium_.energies(progress.state);
   const double moved = std::abs(after.stored - before.stored) + after.dissipated +
                        (step.inertia ? std::abs(after.kinetic - before.kinetic) : 0);
   point.dissipated_share = moved > 0 ? after.dissipated / moved : 0;
@@ -107,10 +106,11 @@ bool PathFollower::advance(PathProgress &progress, const Observer &observe, cons
     return result.status != PathStatus::diverged;
   }
   state.time += attempt.step.dt;
+  const Energies after = equilibrium_.energies(state);
   accept(progress, std::move(state), outcome);
   log(step_text(progress, attempt, reference_volume_, outcome));
-  plan_.lengthen(progress, attempt, outcome.factorisations);
-  result.reason = observe(point(progress, attempt.step, before, outcome));
+  plan_.lengthen(progress, attempt, outcome.factorisations, after.dissipated);
+  result.reason = observe(point(progress, attempt.step, before, after, outcome));
   return result.reason.empty();
 }
 

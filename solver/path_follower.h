@@ -42,7 +42,7 @@ private:
   /// Tries one step; false when the path is over, with the reason in `result`.
   bool advance(PathProgress &progress, const Observer &observe, const Log &log, PathResult &result);
   void accept(PathProgress &progress, State &&end, const NewtonSolver::Outcome &outcome) const;
-  PathPoint point(const PathProgress &progress, const Step &step, const Energies &before,
+  PathPoint point(const PathProgress &progress, const Step &step, const Energies &before, const Energies &after,
                   const NewtonSolver::Outcome &outcome) const;
   double seconds() const;
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 #include <stdexcept>
+#include <utility>
 
 namespace ballonet::solver
 {
@@ -88,10 +89,22 @@ StepPlan::Attempt StepPlan::next(const PathProgress &progress) const
   return progress.arc_length > 0 ? along_arc(progress) : in_time(progress);
 }
 
-/// The first step along an arc is as long as the step under prescribed load before it.
-void StepPlan::lengthen(PathProgress &progress, const Attempt &taken, int factorisations) const
+/// How much the next step may grow for the sake of what moves faster and faster. Viscous forces of a snap grow from
+/// step to step, and the rate of dissipation with the square of them: it may not grow by more than half in a step of
+/// the same length.
+double StepPlan::snap_limit(PathProgress &progress, const Attempt &taken, double dissipated) const
 {
-  const double factor = factorisations <= 5 ? 1.5 : factorisations > 10 ? 0.6 : 1;
+  if (taken.length != &PathProgress::dt)
+    return infinity;
+  const double before = std::exchange(progress.dissipation, dissipated / taken.step.dt);
+  return before > 0 && progress.dissipation > 0 ? std::max(0.4, 1.5 * before / progress.dissipation) : infinity;
+}
+
+/// The first step along an arc is as long as the step under prescribed load before it.
+void StepPlan::lengthen(PathProgress &progress, const Attempt &taken, int factorisations, double dissipated) const
+{
+  const double by_cost = factorisations <= 5 ? 1.5 : factorisations > 10 ? 0.6 : 1;
+  const double factor = std::min(by_cost, snap_limit(progress, taken, dissipated));
   double &length = progress.*taken.length;
   progress.ceiling *= 1.1;
   length = std::min(length * factor, std::max(length, progress.ceiling));

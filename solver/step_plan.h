@@ -18,6 +18,7 @@ struct PathProgress {
   double stretch = 0;        ///< next increment of the load factor
   double dt = 0;             ///< next time step, s
   double arc_length = 0;     ///< of the next step along the path, mm; 0 before the first one
+  double dissipation = 0;    ///< rate in the last step of the cavity's drive, N mm/s; 0 before
   double ceiling = infinity; ///< of the lengths: a step as long as one rejected lately is not tried again at once
   double volume = 0;         ///< of the cavity, mm^3
   double pressure_peak = 0;  ///< running maximum, MPa
@@ -40,8 +41,8 @@ public:
 
   void start(PathProgress &progress) const;
   Attempt next(const PathProgress &progress) const;
-  /// After a step that needed so many factorisations.
-  void lengthen(PathProgress &progress, const Attempt &taken, int factorisations) const;
+  /// After a step that needed so many factorisations and dissipated so much, N mm.
+  void lengthen(PathProgress &progress, const Attempt &taken, int factorisations, double dissipated) const;
   /// After a rejected attempt; false when the next one would be shorter than allowed.
   bool shorten(PathProgress &progress, const Attempt &rejected) const;
   /// Why the path ends here, or an empty string.
@@ -53,6 +54,7 @@ private:
   Attempt preload(const PathProgress &progress) const;
   Attempt along_arc(const PathProgress &progress) const;
   Attempt in_time(const PathProgress &progress) const;
+  double snap_limit(PathProgress &progress, const Attempt &taken, double dissipated) const;
 
   const Path &path_;
   double reference_volume_;

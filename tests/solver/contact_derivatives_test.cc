@@ -62,8 +62,8 @@ std::array<int, 3> kinds(const ContactScene &scene, Felt felt)
   contact::ContactPairing pairing(scene.mesh, scene.pair, all_owned, 1);
   pairing.search(scene.state.displacement);
   std::array<int, 3> count = {};
-  for (const contact::PairedPoint &p : pairing.points_at(scene.state.displacement))
-    if (p.penetration > 0 && pairing.is_secondary(p.own) == (felt == Felt::by_secondary))
+  for (const contact::PairedPoint &p : pairing.touching(scene.state.displacement))
+    if (pairing.is_secondary(p.own) == (felt == Felt::by_secondary))
       ++count[p.closest.free[0] + p.closest.free[1]];
   return count;
 }

@@ -46,6 +46,16 @@ TEST_CASE("increments that do not shrink are given up in the end")
   CHECK_THAT(*watch.reason_to_give_up(), Catch::Contains("do not shrink"));
 }
 
+TEST_CASE("increments that were not all bearable need not shrink")
+{
+  IncrementWatch watch;
+  for (int k = 0; k < 20; ++k) {
+    watch.trusted(std::vector<double>{1.}, 0.5);
+    watch.taken(0.5);
+  }
+  CHECK_FALSE(watch.reason_to_give_up());
+}
+
 TEST_CASE("small fractions in a row are given up, but not after a full one")
 {
   IncrementWatch watch;

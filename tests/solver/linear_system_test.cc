@@ -41,10 +41,10 @@ private:
   bool mine_;
 };
 
-Material plastic()
+Material plastic(double poisson_ratio)
 {
   Material m;
-  m.law = Law::saint_venant, m.youngs_modulus = 3, m.poisson_ratio = 0.3;
+  m.law = Law::saint_venant, m.youngs_modulus = 3, m.poisson_ratio = poisson_ratio;
   return m;
 }
 
@@ -53,8 +53,8 @@ struct Block {
   Discretization discretization;
   ElasticWork elastic;
   State rest;
-  explicit Block(MPI_Comm comm)
-      : discretization(mesh, comm), elastic(discretization, 0, make_material(plastic()), 0, false)
+  explicit Block(MPI_Comm comm, double poisson_ratio = 0.3)
+      : discretization(mesh, comm), elastic(discretization, 0, make_material(plastic(poisson_ratio)), 0, false)
   {
     rest.displacement.assign(3 * mesh.nodes.size(), 0.);
     elastic.begin_step(rest, {.dt = 1});
@@ -131,4 +131,42 @@ TEST_CASE("linear system: negative pivots count the unstable directions", "[mpi]
   system.couple(couplings);
   REQUIRE(system.factorise({&block.elastic, &repelling}, block.rest));
   CHECK(system.negative_pivots() == 3);
+}
+
+TEST_CASE("linear system: the factor of another matrix preconditions, and is renewed where it is too far off", "[mpi]")
+{
+  Block block(MPI_COMM_WORLD), like(MPI_COMM_WORLD, 0.32), unlike(MPI_COMM_WORLD, 0.4999), whole(MPI_COMM_SELF, 0.32),
+      whole_unlike(MPI_COMM_SELF, 0.4999);
+  LinearSystem system(block.discretization);
+  const std::size_t n = 3 * block.mesh.nodes.size();
+  Prescribed held(n, std::nan(""));
+  std::vector<double> expected = random_field(n, 1, 4);
+  for (const auto node : surface_nodes(block.mesh, "x0"))
+    for (std::size_t i = 3 * node; i < 3 * node + 3; ++i)
+      held[i] = expected[i] = 0;
+  system.prescribe(held);
+  REQUIRE(system.factorise({&block.elastic}, block.rest));
+  Vec b = system.create_vector(), x = system.create_vector();
+  const auto error = [&](Block &other, Block &entire) {
+    DenseAssembly dense(block.mesh.nodes.size());
+    entire.elastic.tangent(entire.rest, dense);
+    system.scatter(product(dense, expected), b);
+    system.clear_held(b);
+    system.precondition({&other.elastic}, other.rest);
+    system.solve(b, x);
+    std::vector<double> solution(n);
+    system.gather(x, solution);
+    double worst = 0;
+    for (std::size_t i = 0; i < n; ++i)
+      worst = std::max(worst, std::abs(solution[i] - expected[i]));
+    return worst;
+  };
+  const double iterated = error(like, whole);
+  CHECK(iterated < 1e-3);
+  CHECK(iterated > 1e-9); // not solved by a factor of its own
+  CHECK(system.factorisations() == 1);
+  CHECK(error(unlike, whole_unlike) < 1e-8);
+  CHECK(system.factorisations() == 2);
+  petsc(VecDestroy(&b));
+  petsc(VecDestroy(&x));
 }
