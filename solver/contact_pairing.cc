@@ -67,6 +67,34 @@ double distance_at_rest(const PatchNodes &from, const PatchNodes &to, const Patc
   return smallest;
 }
 
+/// Outward unit normals at the nine nodes of a patch.
+std::array<Point3, 9> normals(const PatchNodes &nodes, const Face &face)
+{
+  std::array<Point3, 9> normals;
+  for (int a = 0; a < 9; ++a) {
+    const PatchPoint p = patch_point(nodes, {a % 3 / 2., a / 3 / 2.});
+    const Point3 normal = cross_product_3d(p.tangent[0], p.tangent[1]);
+    normals[a] = outward_sign(face.local) / normal.norm() * normal;
+  }
+  return normals;
+}
+
+/// Whether two faces look at each other: a point of each lies in front of one of the other, by more than a curved
+/// surface rises over its own neighbourhood.
+bool face_each_other(const PatchNodes &a, const Face &face_a, const PatchNodes &b, const Face &face_b)
+{
+  constexpr double rise = 0.5; // sine of the angle with the surface
+  const auto normals_a = normals(a, face_a), normals_b = normals(b, face_b);
+  for (int i = 0; i < 9; ++i)
+    for (int j = 0; j < 9; ++j) {
+      const Point3 way = b[j] - a[i];
+      const double needed = rise * way.norm();
+      if (way * normals_a[i] > needed && -(way * normals_b[j]) > needed)
+        return true;
+    }
+  return false;
+}
+
 /// Whether cells of the bodies on one side are also on the other.
 bool touches_itself(const Mesh &mesh, const std::vector<Patch> &patches, std::uint32_t n_secondary)
 {
@@ -141,16 +169,19 @@ ContactPairing::ContactPairing(const Mesh &mesh, const ContactPair &pair,
     find_neighbours(2 * pair.thickness);
 }
 
-/// Pairs of the same body that are closer than `bound` at rest.
+/// Pairs of the same body that are closer than `bound` at rest, or than twice that and do not face each other.
 void ContactPairing::find_neighbours(double bound)
 {
   const std::vector<double> rest(3 * mesh_.nodes.size());
   const Surroundings now(*this, {mesh_, rest});
   for (std::uint32_t s = 0; s < n_secondary_; ++s)
-    now.primary.overlapping(now.boxes[s].enlarged(bound), [&](std::uint32_t index) {
+    now.primary.overlapping(now.boxes[s].enlarged(2 * bound), [&](std::uint32_t index) {
       const std::uint32_t p = n_secondary_ + index;
-      const bool same_body = mesh_.cell_body[patches_[s].face.cell] == mesh_.cell_body[patches_[p].face.cell];
-      if (same_body && distance_at_rest(now.nodes[s], now.nodes[p], patches_[p].range) < bound)
+      if (!same_body(s, p))
+        return;
+      const Face face = patches_[s].face, other = patches_[p].face;
+      const double distance = distance_at_rest(now.nodes[s], now.nodes[p], patches_[p].range);
+      if (distance < bound || (distance < 2 * bound && !face_each_other(now.nodes[s], face, now.nodes[p], other)))
         neighbours_.insert(pair_key(s, p));
     });
 }
@@ -200,15 +231,30 @@ void ContactPairing::begin_step()
   crossing_ = true;
 }
 
+/// Whether a point of one patch is closer to another one than the contact distance plus the margin.
+bool ContactPairing::reaches(std::uint32_t own, std::uint32_t patch, const Surroundings &now, double margin) const
+{
+  const double reach = radius(own, patch) + margin;
+  const auto &points = patches_[own].points;
+  return std::any_of(points.begin(), points.end(), [&](const QuadraturePoint &point) {
+    const Point3 x = interpolate(now.nodes[own], patch_shapes(point.xi).value);
+    return now.boxes[patch].distance_square(x) < reach * reach &&
+           closest_point(now.nodes[patch], patches_[patch].range, x).distance < reach;
+  });
+}
+
 /// Calls visit(secondary, primary) for the patches whose boxes are closer than the contact distance plus the margin, if
-/// one of them has points.
+/// one of them has points. Within a body, where many boxes overlap that never touch and every coupling makes the matrix
+/// denser, only if a point is that close.
 template <class Visit>
 void ContactPairing::for_each_near(const Surroundings &now, double margin, Visit visit) const
 {
   for (std::uint32_t s = 0; s < n_secondary_; ++s)
     now.primary.overlapping(now.boxes[s].enlarged(largest_radius_ + margin), [&](std::uint32_t index) {
       const std::uint32_t p = n_secondary_ + index;
-      if ((!patches_[s].points.empty() || !patches_[p].points.empty()) && may_touch(s, p))
+      if ((patches_[s].points.empty() && patches_[p].points.empty()) || !may_touch(s, p))
+        return;
+      if (!same_body(s, p) || coupled(s, p) || reaches(s, p, now, margin) || reaches(p, s, now, margin))
         visit(s, p);
     });
 }
