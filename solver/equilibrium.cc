@@ -157,7 +157,7 @@ Prescribed Equilibrium::prescribed(double load_factor) const
 {
   Prescribed values(3 * discretization_.n_nodes(), std::nan(""));
   for (const auto &support : parameters_.supports)
-    for (const auto node : surface_nodes(discretization_.mesh(), support.surface)) {
+    for (const auto node : nodes_of_place(discretization_.mesh(), support.surface, support.nodes)) {
       for (const auto &direction : support.fix)
         values[3 * node + direction[0] - 'x'] = 0;
       for (int d = 0; d < 3; ++d)
