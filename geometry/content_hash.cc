@@ -46,6 +46,10 @@ std::uint64_t content_hash(const Mesh &mesh)
     hash.add_list(std::span(surface.name));
     hash.add_list(std::span(surface.faces));
   }
+  for (const NodeSet &set : mesh.node_sets) {
+    hash.add_list(std::span(set.name));
+    hash.add_list(std::span(set.nodes));
+  }
   return hash.value();
 }
 

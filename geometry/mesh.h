@@ -23,6 +23,12 @@ struct Surface {
   std::vector<Face> faces;
 };
 
+/// A named set of nodes: a curve or a point that is held, loaded or measured.
+struct NodeSet {
+  std::string name;
+  std::vector<std::uint32_t> nodes;
+};
+
 /// A named set of cells; every cell belongs to exactly one body.
 struct Body {
   std::string name;
@@ -44,6 +50,7 @@ struct Mesh {
   std::vector<std::uint32_t> cell_body; ///< index into bodies, one per cell
   std::vector<Body> bodies;
   std::vector<Surface> surfaces;
+  std::vector<NodeSet> node_sets;
   Quality quality;
 };
 

@@ -2,7 +2,7 @@
 #include "geometry/cell_completion.h"
 #include "geometry/gmsh_session.h"
 #include "geometry/mesh_io.h"
-#include "geometry/msh_surfaces.h"
+#include "geometry/msh_node_sets.h"
 #include "geometry/node_order.h"
 #include "geometry/quality.h"
 #include <gmsh.h>
@@ -28,6 +28,7 @@ public:
     read_bodies();
     drop_and_complete();
     mesh_.surfaces = read_surfaces(mesh_, node_);
+    mesh_.node_sets = read_node_sets(mesh_, node_);
     return std::move(mesh_);
   }
 

@@ -2,6 +2,7 @@
 #include "geometry/boundary.h"
 #include "geometry/gmsh_session.h"
 #include "geometry/mesh_io.h"
+#include "geometry/msh_node_sets.h"
 #include "geometry/node_order.h"
 #include <gmsh.h>
 #include <map>
@@ -81,7 +82,8 @@ void add_faces(const Mesh &mesh, int entity, const std::vector<Face> &faces, std
   gmsh::model::mesh::addElementsByType(entity, gmsh_type::quad9, counted(first_element, faces.size()), nodes);
 }
 
-void add_surfaces(const Mesh &mesh)
+/// Returns the next free number of an element.
+std::size_t add_surfaces(const Mesh &mesh)
 {
   std::vector<std::vector<int>> entities(mesh.surfaces.size());
   std::size_t next_element = mesh.cells.size() + 1;
@@ -98,6 +100,7 @@ void add_surfaces(const Mesh &mesh)
     gmsh::model::addPhysicalGroup(2, entities[surface], tag);
     gmsh::model::setPhysicalName(2, tag, mesh.surfaces[surface].name);
   }
+  return next_element;
 }
 
 } // namespace
@@ -108,7 +111,7 @@ std::optional<MeshFailure> write_msh(const Mesh &mesh, const std::filesystem::pa
     add_bodies(mesh);
     add_nodes(mesh);
     add_cells(mesh);
-    add_surfaces(mesh);
+    add_node_sets(mesh, add_surfaces(mesh));
     gmsh::option::setNumber("Mesh.MshFileVersion", 4.1);
     gmsh::option::setNumber("Mesh.Binary", 1);
     gmsh::write(path.string());

@@ -8,6 +8,7 @@ namespace ballonet::geometry
 /// gmsh's numbers of the element types we deal with.
 namespace gmsh_type
 {
+constexpr int point = 15;
 constexpr int quad4 = 3, quad9 = 10, quad8 = 16;
 constexpr int hex8 = 5, hex27 = 12, hex20 = 17;
 } // namespace gmsh_type

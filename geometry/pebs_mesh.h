@@ -39,7 +39,8 @@ struct PebsMesh {
 
 /// The mesh of an actuator, or the reason why there is none: parameters that contradict each other, or a mesh of too
 /// low quality. Bodies: "balloon", "backbone". Surfaces: balloon_inner, balloon_outer, balloon_base, base_bottom,
-/// base_contact, head_contact, head_top, wall, rib_01 ..., rib_inner_01 ..., backbone_contact, symmetry (half model).
+/// base_contact, head_contact, head_top, wall, rib_01 ..., rib_inner_01 ..., backbone_contact, backbone_outside,
+/// symmetry (half model).
 std::variant<PebsMesh, MeshFailure> build_mesh(const Pebs &pebs, const MeshSizes &sizes);
 std::variant<PebsMesh, MeshFailure> build_mesh(const BalloonAlone &alone, const MeshSizes &sizes);
 

@@ -33,8 +33,8 @@ Names rib_names(const CellTag &tag, Side side)
     names.push_back(numbered("rib_inner_", tag.index));
   if (side == Side::inner && tag.land)
     names.emplace_back("wall");
-  if (side == Side::inner || side == Side::lower || side == Side::upper)
-    names.emplace_back("backbone_contact");
+  const bool towards_balloon = side == Side::inner || side == Side::lower || side == Side::upper;
+  names.emplace_back(towards_balloon ? "backbone_contact" : "backbone_outside");
   return names;
 }
 
@@ -47,15 +47,15 @@ Names names_of(const CellTag &tag, Side side)
   case Part::rib:
     return rib_names(tag, side);
   case Part::strip:
-    return side == Side::inner ? Names{"wall", "backbone_contact"} : Names{};
+    return side == Side::inner ? Names{"wall", "backbone_contact"} : Names{"backbone_outside"};
   case Part::head:
     if (side == Side::lower)
       return {"head_contact", "backbone_contact"};
-    return side == Side::upper ? Names{"head_top"} : Names{};
+    return side == Side::upper ? Names{"head_top", "backbone_outside"} : Names{"backbone_outside"};
   case Part::base:
     if (side == Side::upper)
       return {"base_contact", "backbone_contact"};
-    return side == Side::lower ? Names{"base_bottom"} : Names{};
+    return side == Side::lower ? Names{"base_bottom"} : Names{"backbone_outside"};
   }
   return {};
 }

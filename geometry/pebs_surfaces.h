@@ -9,7 +9,8 @@ namespace ballonet::geometry
 std::string numbered(const std::string &stem, int index);
 
 /// The named surfaces of a tagged mesh, from the part and the side of every free face. Free faces in the plane y = 0
-/// of a half model are "symmetry" and nothing else.
+/// of a half model are "symmetry" and nothing else. What can touch the balloon of the backbone is "backbone_contact",
+/// the rest of it but for the clamped bottom "backbone_outside".
 std::vector<Surface> name_surfaces(const TaggedMesh &tagged, bool half);
 
 } // namespace ballonet::geometry

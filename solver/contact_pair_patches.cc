@@ -33,6 +33,18 @@ std::set<FaceKey> keys(const std::vector<Patch> &patches)
   return keys;
 }
 
+/// Outward unit normals at the nine nodes of a patch.
+std::array<Point3, 9> normals(const PatchNodes &nodes, const Face &face)
+{
+  std::array<Point3, 9> normals;
+  for (int a = 0; a < 9; ++a) {
+    const PatchPoint p = patch_point(nodes, {a % 3 / 2., a / 3 / 2.});
+    const Point3 normal = cross_product_3d(p.tangent[0], p.tangent[1]);
+    normals[a] = outward_sign(face.local) / normal.norm() * normal;
+  }
+  return normals;
+}
+
 } // namespace
 
 std::vector<Patch> patches_of_pair(const Mesh &mesh, const ContactPair &pair)
@@ -65,6 +77,20 @@ double distance_of(const PatchNodes &from, const PatchNodes &to, const PatchRang
   for (const Point3 &x : from)
     smallest = std::min(smallest, closest_point(to, range, x).distance);
   return smallest;
+}
+
+bool face_each_other(const PatchNodes &a, const Face &face_a, const PatchNodes &b, const Face &face_b)
+{
+  constexpr double rise = 0.5; // sine of the angle with the surface
+  const auto normals_a = normals(a, face_a), normals_b = normals(b, face_b);
+  for (int i = 0; i < 9; ++i)
+    for (int j = 0; j < 9; ++j) {
+      const Point3 way = b[j] - a[i];
+      const double needed = rise * way.norm();
+      if (way * normals_a[i] > needed && -(way * normals_b[j]) > needed)
+        return true;
+    }
+  return false;
 }
 
 bool touches_itself(const Mesh &mesh, const std::vector<Patch> &patches, std::uint32_t n_secondary)

@@ -17,4 +17,8 @@ bool touches_itself(const Mesh &, const std::vector<Patch> &, std::uint32_t n_se
 /// The distance of two patches, mm, found from the 3 x 3 nodes of the first.
 double distance_of(const PatchNodes &from, const PatchNodes &to, const PatchRange &range);
 
+/// Whether two faces look at each other: a point of each lies in front of one of the other, by more than a curved
+/// surface rises over its own neighbourhood.
+bool face_each_other(const PatchNodes &a, const Face &face_a, const PatchNodes &b, const Face &face_b);
+
 } // namespace ballonet::solver::contact

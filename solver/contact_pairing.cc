@@ -97,16 +97,19 @@ ContactPairing::ContactPairing(const Mesh &mesh, const ContactPair &pair,
     find_neighbours(2 * pair.thickness);
 }
 
-/// Pairs of the same body that are closer than `bound` at rest.
+/// Pairs of the same body that are closer than `bound` at rest, or than twice that and do not face each other.
 void ContactPairing::find_neighbours(double bound)
 {
   const std::vector<double> rest(3 * mesh_.nodes.size());
   const Surroundings now(*this, {mesh_, rest});
   for (std::uint32_t s = 0; s < n_secondary_; ++s)
-    now.primary.overlapping(now.boxes[s].enlarged(bound), [&](std::uint32_t index) {
+    now.primary.overlapping(now.boxes[s].enlarged(2 * bound), [&](std::uint32_t index) {
       const std::uint32_t p = n_secondary_ + index;
-      const bool same_body = mesh_.cell_body[patches_[s].face.cell] == mesh_.cell_body[patches_[p].face.cell];
-      if (same_body && distance_of(now.nodes[s], now.nodes[p], patches_[p].range) < bound)
+      if (!same_body(s, p))
+        return;
+      const Face face = patches_[s].face, other = patches_[p].face;
+      const double distance = distance_of(now.nodes[s], now.nodes[p], patches_[p].range);
+      if (distance < bound || (distance < 2 * bound && !face_each_other(now.nodes[s], face, now.nodes[p], other)))
         neighbours_.insert(pair_key(s, p));
     });
 }
@@ -177,15 +180,30 @@ void ContactPairing::begin_step()
   crossing_ = true;
 }
 
+/// Whether a point of one patch is closer to another one than the contact distance plus the margin.
+bool ContactPairing::reaches(std::uint32_t own, std::uint32_t patch, const Surroundings &now, double margin) const
+{
+  const double reach = radius(own, patch) + margin;
+  const auto &points = patches_[own].points;
+  return std::any_of(points.begin(), points.end(), [&](const QuadraturePoint &point) {
+    const Point3 x = interpolate(now.nodes[own], patch_shapes(point.xi).value);
+    return now.boxes[patch].distance_square(x) < reach * reach &&
+           closest_point(now.nodes[patch], patches_[patch].range, x).distance < reach;
+  });
+}
+
 /// Calls visit(secondary, primary) for the patches whose boxes are closer than the contact distance plus the margin, if
-/// one of them has points.
+/// one of them has points. Within a body, where many boxes overlap that never touch and every coupling makes the matrix
+/// denser, only if a point is that close.
 template <class Visit>
 void ContactPairing::for_each_near(const Surroundings &now, double margin, Visit visit) const
 {
   for (std::uint32_t s = 0; s < n_secondary_; ++s)
     now.primary.overlapping(now.boxes[s].enlarged(largest_radius_ + margin), [&](std::uint32_t index) {
       const std::uint32_t p = n_secondary_ + index;
-      if ((!patches_[s].points.empty() || !patches_[p].points.empty()) && may_touch(s, p))
+      if ((patches_[s].points.empty() && patches_[p].points.empty()) || !may_touch(s, p))
+        return;
+      if (!same_body(s, p) || coupled(s, p) || reaches(s, p, now, margin) || reaches(p, s, now, margin))
         visit(s, p);
     });
 }

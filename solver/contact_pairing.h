@@ -111,6 +111,11 @@ private:
   {
     return std::uint64_t(std::min(a, b)) << 32 | std::max(a, b);
   }
+  bool same_body(std::uint32_t a, std::uint32_t b) const
+  {
+    return mesh_.cell_body[patches_[a].face.cell] == mesh_.cell_body[patches_[b].face.cell];
+  }
+  bool reaches(std::uint32_t own, std::uint32_t patch, const Surroundings &, double margin) const;
   template <class Visit>
   void for_each_near(const Surroundings &, double margin, Visit visit) const;
   std::uint64_t coupling_key(std::uint32_t a, std::uint32_t b) const;

@@ -68,6 +68,20 @@ std::pair<std::vector<Point<3>>, std::vector<CellData<3>>> corners(const Mesh &m
   return {points, cells};
 }
 
+/// The item of that name; throws std::invalid_argument that lists the known names.
+template <class Named>
+const Named &named(const std::vector<Named> &items, const std::string &name, const std::string &what)
+{
+  std::string known;
+  for (const Named &item : items) {
+    if (item.name == name)
+      return item;
+    known += (known.empty() ? "" : ", ") + item.name;
+  }
+  throw std::invalid_argument("the mesh has no " + what + " \"" + name +
+                              "\"; it has: " + (known.empty() ? "none" : known));
+}
+
 } // namespace
 
 Discretization::Discretization(const Mesh &mesh, MPI_Comm comm)
@@ -189,13 +203,20 @@ const FaceBasis &face_basis()
 
 const std::vector<Face> &faces_of(const Mesh &mesh, const std::string &surface)
 {
-  std::string known;
-  for (const auto &s : mesh.surfaces) {
-    if (s.name == surface)
-      return s.faces;
-    known += (known.empty() ? "" : ", ") + s.name;
-  }
-  throw std::invalid_argument("the mesh has no surface \"" + surface + "\"; it has: " + known);
+  return named(mesh.surfaces, surface, "surface").faces;
+}
+
+const std::vector<Node> &nodes_of_set(const Mesh &mesh, const std::string &set)
+{
+  return named(mesh.node_sets, set, "set of nodes").nodes;
+}
+
+std::vector<Node> nodes_of_place(const Mesh &mesh, const std::string &surface, const std::string &set)
+{
+  if (surface.empty() == set.empty())
+    throw std::invalid_argument("a place is named either as a surface or as a set of nodes; given are surface \"" +
+                                surface + "\" and nodes \"" + set + "\"");
+  return set.empty() ? surface_nodes(mesh, surface) : nodes_of_set(mesh, set);
 }
 
 std::vector<Node> surface_nodes(const Mesh &mesh, const std::string &surface)

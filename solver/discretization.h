@@ -80,4 +80,11 @@ const std::vector<Face> &faces_of(const Mesh &mesh, const std::string &surface);
 /// Nodes of a named surface, ascending.
 std::vector<Node> surface_nodes(const Mesh &mesh, const std::string &surface);
 
+/// Nodes of a named set; throws std::invalid_argument that lists the known ones.
+const std::vector<Node> &nodes_of_set(const Mesh &mesh, const std::string &set);
+
+/// Nodes of a place that is named as a surface or as a set of nodes, the other name being empty. Throws
+/// std::invalid_argument for an unknown name, both names or none.
+std::vector<Node> nodes_of_place(const Mesh &mesh, const std::string &surface, const std::string &set);
+
 } // namespace ballonet::solver

@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "solver/equilibrium.h"
+#include "solver/free_surface.h"
+#include "solver/penetration_check.h"
+#include "solver/rigid_penetration.h"
+#include "solver/self_penetration.h"
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -63,10 +67,28 @@ void Equilibrium::build_contact(const ContactPair &pair)
   for (const RigidBody &body : parameters_.rigid_bodies)
     if (in(pair.primary, body.name)) {
       contacts_.push_back(std::make_unique<RigidContactWork>(mesh, pair, body, owned));
+      add_check<RigidPenetration>(mesh, pair, body, pair.penetration_limit);
       return;
     }
   contacts_.push_back(std::make_unique<ContactWork>(mesh, pair, owned));
-  checks_.push_back(std::make_unique<PenetrationCheck>(mesh, pair, pair.penetration_limit));
+  build_checks(pair);
+}
+
+template <class Check, class... Arguments>
+void Equilibrium::add_check(const Arguments &...arguments)
+{
+  checks_.push_back([check = std::make_shared<const Check>(arguments...)](const State &s) { return check->find(s); });
+}
+
+/// For deformable bodies: those on one side of the pair, and those on both.
+void Equilibrium::build_checks(const ContactPair &pair)
+{
+  const Mesh &mesh = discretization_.mesh();
+  const Flags secondary = bodies_of(mesh, pair.secondary), primary = bodies_of(mesh, pair.primary);
+  if (secondary != primary)
+    add_check<PenetrationCheck>(mesh, pair, pair.penetration_limit);
+  if (in(both(secondary, primary), true))
+    add_check<SelfPenetration>(mesh, pair, pair.penetration_limit);
 }
 
 /// The bodies, and what follows from their masses.
@@ -135,7 +157,7 @@ Prescribed Equilibrium::prescribed(double load_factor) const
 {
   Prescribed values(3 * discretization_.n_nodes(), std::nan(""));
   for (const auto &support : parameters_.supports)
-    for (const auto node : surface_nodes(discretization_.mesh(), support.surface)) {
+    for (const auto node : nodes_of_place(discretization_.mesh(), support.surface, support.nodes)) {
       for (const auto &direction : support.fix)
         values[3 * node + direction[0] - 'x'] = 0;
       for (int d = 0; d < 3; ++d)
@@ -301,7 +323,7 @@ std::string Equilibrium::objection(const State &state) const
       return "contact pair \"" + pair.name + "\" penetrates by " + std::to_string(summaries[i].penetration) +
              " mm, allowed are " + std::to_string(pair.penetration_limit);
   for (const auto &check : checks_)
-    if (const auto violations = check->find(state); !violations.empty()) {
+    if (const auto violations = check(state); !violations.empty()) {
       const auto &worst = *std::max_element(violations.begin(), violations.end(),
                                             [](const auto &a, const auto &b) { return a.depth < b.depth; });
       return std::to_string(violations.size()) + " nodes lie inside or beyond body \"" + worst.body +

@@ -8,7 +8,8 @@
 #include "solver/modes.h"
 #include "solver/newton.h"
 #include "solver/parameters.h"
-#include "solver/penetration_check.h"
+#include "solver/violation.h"
+#include <functional>
 #include <memory>
 
 namespace ballonet::solver
@@ -63,6 +64,9 @@ public:
 private:
   void build_bodies();
   void build_contact(const ContactPair &);
+  void build_checks(const ContactPair &);
+  template <class Check, class... Arguments>
+  void add_check(const Arguments &...arguments);
   void build_loads(const std::vector<double> &mass);
   std::vector<double> total_mass() const;
   void factorise_tangent(const State &state, double dt);
@@ -81,8 +85,9 @@ private:
   std::unique_ptr<CavityWork> cavity_;
   std::unique_ptr<InertiaWork> inertia_;
   std::vector<std::unique_ptr<Contact>> contacts_;
-  std::vector<std::unique_ptr<PenetrationCheck>> checks_; ///< one per contact pair of two bodies
-  std::vector<VirtualWork *> works_;                      ///< all of the above
+  /// Each finds the nodes that must not be where they are; of the contact pairs.
+  std::vector<std::function<std::vector<Violation>(const State &)>> checks_;
+  std::vector<VirtualWork *> works_; ///< all of the above
   std::unique_ptr<NewtonSolver> newton_;
   std::size_t n_contact_points_ = 0; ///< of all pairs and ranks
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "solver/load_work.h"
 #include <cmath>
+#include <stdexcept>
 
 namespace ballonet::solver
 {
@@ -24,6 +25,21 @@ void add_nodal_mass(const Discretization &discretization, std::uint32_t body, do
   }
 }
 
+namespace
+{
+
+/// A surface carries traction and pressure, a set of nodes a force.
+void check(const Load &load)
+{
+  const bool on_surface = load.traction != Vector3{} || load.pressure != 0, on_nodes = load.force != Vector3{};
+  if (load.surface.empty() == load.nodes.empty() || (on_surface && load.surface.empty()) ||
+      (on_nodes && load.nodes.empty()))
+    throw std::invalid_argument("a load on surface \"" + load.surface + "\" and nodes \"" + load.nodes +
+                                "\"; allowed are a surface with traction or pressure, or nodes with a force");
+}
+
+} // namespace
+
 DeadLoad::DeadLoad(const Discretization &discretization, const std::vector<double> &mass, const Vector3 &gravity,
                    const std::vector<Load> &loads)
     : force_(3 * mass.size())
@@ -31,31 +47,52 @@ DeadLoad::DeadLoad(const Discretization &discretization, const std::vector<doubl
   for (std::size_t node = 0; node < mass.size(); ++node)
     for (int d = 0; d < 3; ++d)
       force_[3 * node + d] = mass[node] * gravity[d];
-  const auto &mesh = discretization.mesh();
-  const auto &basis = face_basis();
-  for (const auto &load : loads)
-    for (const auto &face : faces_of(mesh, load.surface)) {
-      if (!discretization.owns(face.cell))
-        continue;
-      const auto nodes = face_nodes(mesh, face);
-      for (int q = 0; q < n_face_nodes; ++q) {
-        Vector3 xi{}, eta{};
-        for (int a = 0; a < n_face_nodes; ++a)
-          for (int d = 0; d < 3; ++d) {
-            xi[d] += basis.derivative[q][a][0] * mesh.nodes[nodes[a]][d];
-            eta[d] += basis.derivative[q][a][1] * mesh.nodes[nodes[a]][d];
-          }
-        const double area = std::hypot(xi[1] * eta[2] - xi[2] * eta[1], xi[2] * eta[0] - xi[0] * eta[2],
-                                       xi[0] * eta[1] - xi[1] * eta[0]) *
-                            basis.weight[q];
-        for (int a = 0; a < n_face_nodes; ++a)
-          for (int d = 0; d < 3; ++d)
-            force_[3 * nodes[a] + d] += area * basis.value[q][a] * load.traction[d];
-      }
-    }
+  for (const auto &load : loads) {
+    check(load);
+    if (load.nodes.empty())
+      add_traction(discretization, load);
+    else
+      add_nodal_forces(discretization, load);
+  }
   for (Node node = 0; node < mass.size(); ++node)
     if (force_[3 * node] != 0 || force_[3 * node + 1] != 0 || force_[3 * node + 2] != 0)
       nodes_.push_back(node);
+}
+
+void DeadLoad::add_traction(const Discretization &discretization, const Load &load)
+{
+  const auto &mesh = discretization.mesh();
+  const auto &basis = face_basis();
+  for (const auto &face : faces_of(mesh, load.surface)) {
+    if (!discretization.owns(face.cell))
+      continue;
+    const auto nodes = face_nodes(mesh, face);
+    for (int q = 0; q < n_face_nodes; ++q) {
+      Vector3 xi{}, eta{};
+      for (int a = 0; a < n_face_nodes; ++a)
+        for (int d = 0; d < 3; ++d) {
+          xi[d] += basis.derivative[q][a][0] * mesh.nodes[nodes[a]][d];
+          eta[d] += basis.derivative[q][a][1] * mesh.nodes[nodes[a]][d];
+        }
+      const double area = std::hypot(xi[1] * eta[2] - xi[2] * eta[1], xi[2] * eta[0] - xi[0] * eta[2],
+                                     xi[0] * eta[1] - xi[1] * eta[0]) *
+                          basis.weight[q];
+      for (int a = 0; a < n_face_nodes; ++a)
+        for (int d = 0; d < 3; ++d)
+          force_[3 * nodes[a] + d] += area * basis.value[q][a] * load.traction[d];
+    }
+  }
+}
+
+/// Every node by the rank that owns its equations.
+void DeadLoad::add_nodal_forces(const Discretization &discretization, const Load &load)
+{
+  const auto &nodes = nodes_of_set(discretization.mesh(), load.nodes);
+  const auto [first, end] = discretization.owned_blocks();
+  for (const auto node : nodes)
+    if (const int block = discretization.block(node); block >= first && block < end)
+      for (int d = 0; d < 3; ++d)
+        force_[3 * node + d] += load.force[d] / static_cast<double>(nodes.size());
 }
 
 double DeadLoad::energy(const State &state) const

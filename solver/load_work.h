@@ -14,10 +14,11 @@ struct FaceTangents {
   Vector3 xi{}, eta{};
 };
 
-/// Dead forces on nodes, scaled with the load factor of the state: weight and dead tractions.
+/// Dead forces on nodes, scaled with the load factor of the state: weight, dead tractions and forces on sets of nodes.
 class DeadLoad : public VirtualWork
 {
 public:
+  /// Throws std::invalid_argument for a load that is neither a traction or pressure on a surface nor a force on nodes.
   DeadLoad(const Discretization &discretization, const std::vector<double> &mass, const Vector3 &gravity,
            const std::vector<Load> &loads);
   double energy(const State &state) const override;
@@ -25,6 +26,8 @@ public:
   void tangent(const State &, Assembly &) const override {}
 
 private:
+  void add_traction(const Discretization &, const Load &);
+  void add_nodal_forces(const Discretization &, const Load &);
   std::vector<double> force_; ///< N at load factor 1, three per node; this rank's part
   std::vector<Node> nodes_;   ///< those with a force
 };

@@ -21,6 +21,12 @@ struct Surface {
   std::vector<Face> faces;
 };
 
+/// A named set of nodes: a curve or a point that is held, loaded or measured.
+struct NodeSet {
+  std::string name;
+  std::vector<std::uint32_t> nodes;
+};
+
 /// A mesh of 27-node hexahedra in plain arrays (lengths in mm).
 struct Mesh {
   std::vector<std::array<double, 3>> nodes;
@@ -29,6 +35,7 @@ struct Mesh {
   std::vector<std::uint32_t> cell_body; ///< index into bodies, one per cell
   std::vector<std::string> bodies;      ///< names; every cell belongs to exactly one body
   std::vector<Surface> surfaces;
+  std::vector<NodeSet> node_sets;
 };
 
 } // namespace ballonet::solver

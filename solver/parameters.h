@@ -59,10 +59,12 @@ struct Support {
   std::string surface;
   std::vector<std::string> fix;                   // of "x", "y", "z"
   std::array<std::optional<double>, 3> move = {}; // displacement at load factor 1
+  std::string nodes = {};                         // instead of the surface
   template <class Self, class Visitor>
   static void fields(Self &self, Visitor &v)
   {
     v.text("surface", self.surface, "surface that is held");
+    v.text("nodes", self.nodes, "or the set of nodes that is held: a physical curve or point of the mesh");
     v.words("fix", self.fix, {"x", "y", "z"}, "directions held at rest");
     v.vector("move", self.move, "mm", "displacement reached at load factor 1, by direction: {x = \"4 mm\"}");
   }
@@ -86,6 +88,8 @@ struct Load {
   std::string surface;
   Vector3 traction = {0, 0, 0}; // dead, per reference area
   double pressure = 0;          // follower
+  std::string nodes = {};       // instead of the surface
+  Vector3 force = {0, 0, 0};    // N, dead, on the whole set of nodes
   template <class Self, class Visitor>
   static void fields(Self &self, Visitor &v)
   {
@@ -93,6 +97,8 @@ struct Load {
     v.point("traction", self.traction, "MPa", "dead load per reference area at load factor 1");
     v.quantity("pressure", self.pressure, "MPa", -1e3, 1e3,
                "follower pressure at load factor 1, positive into the body");
+    v.text("nodes", self.nodes, "or the set of nodes that carries a force: a physical curve or point of the mesh");
+    v.point("force", self.force, "N", "dead force at load factor 1 on the set, the same share on each of its nodes");
   }
 };
 
@@ -140,7 +146,7 @@ struct RigidBody {
   template <class Self, class Visitor>
   static void fields(Self &self, Visitor &v)
   {
-    v.text("name", self.name, "how contact pairs call it as their primary side");
+    v.text("name", self.name, "how contact pairs call it as their primary side; column NAME_force_N of a pebs");
     v.choice("shape", self.shape,
              {{"plane", RigidShapeKind::plane},
               {"cylinder", RigidShapeKind::cylinder},
@@ -165,6 +171,7 @@ struct Response {
   std::string component = "x";  // x y z magnitude
   std::string body;             // max_stress
   std::string pair;             // contact_force
+  std::string nodes = {};       // instead of the surface
   template <class Self, class Visitor>
   static void fields(Self &self, Visitor &v)
   {
@@ -179,6 +186,7 @@ struct Response {
               {"max_stress", ResponseKind::max_stress}},
              "what is measured");
     v.text("surface", self.surface, "where: mean over the surface (sum for reaction)");
+    v.text("nodes", self.nodes, "where: mean over the set of nodes (sum for reaction)");
     v.point("point", self.point, "mm", "where: the node nearest to this reference point");
     v.text("component", self.component, "x, y, z or magnitude");
     v.text("body", self.body, "body of max_stress");

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "solver/penetration_check.h"
 #include "solver/cell_inversion.h"
+#include "solver/free_surface.h"
 #include <cmath>
-#include <unordered_set>
 
 namespace ballonet::solver
 {
@@ -11,52 +11,6 @@ using namespace contact;
 
 namespace
 {
-
-constexpr std::uint32_t centre_of_face = 4; // column
-
-/// Bodies with a face of the given surfaces, as flags.
-std::vector<bool> bodies_of(const Mesh &mesh, const std::vector<std::string> &names)
-{
-  std::vector<bool> bodies(mesh.bodies.size(), false);
-  for (const NamedFace &f : faces_of(mesh, names))
-    bodies[mesh.cell_body[f.face.cell]] = true;
-  return bodies;
-}
-
-std::vector<bool> nodes_of(const Mesh &mesh, const std::vector<bool> &bodies)
-{
-  std::vector<bool> nodes(mesh.nodes.size(), false);
-  for (std::size_t c = 0; c < mesh.cells.size(); ++c)
-    if (bodies[mesh.cell_body[c]])
-      for (const Node n : mesh.cells[c])
-        nodes[n] = true;
-  return nodes;
-}
-
-/// Nodes on faces of these bodies that no second cell shares (a face's centre node is its own).
-std::vector<bool> free_surface_nodes(const Mesh &mesh, const std::vector<bool> &bodies)
-{
-  std::vector<int> cells_at(mesh.nodes.size(), 0);
-  for (const auto &cell : mesh.cells)
-    for (std::uint32_t l = 0; l < 6; ++l)
-      ++cells_at[cell[columns_behind(l)[3 * centre_of_face]]];
-  std::vector<bool> nodes(mesh.nodes.size(), false);
-  for (std::size_t c = 0; c < mesh.cells.size(); ++c)
-    for (std::uint32_t l = 0; l < 6; ++l)
-      if (bodies[mesh.cell_body[c]] && cells_at[mesh.cells[c][columns_behind(l)[3 * centre_of_face]]] == 1)
-        for (int a = 0; a < 9; ++a)
-          nodes[mesh.cells[c][columns_behind(l)[3 * a]]] = true;
-  return nodes;
-}
-
-std::vector<Node> difference(const std::vector<bool> &nodes, const std::vector<bool> &without)
-{
-  std::vector<Node> result;
-  for (Node n = 0; n < nodes.size(); ++n)
-    if (nodes[n] && !without[n])
-      result.push_back(n);
-  return result;
-}
 
 /// Nearest faces of a surface to a point so far; several at a common edge or corner.
 struct Nearest {
@@ -101,14 +55,8 @@ PenetrationCheck::PenetrationCheck(const Mesh &mesh, const ContactPair &pair, do
 {
   const auto secondary_bodies = bodies_of(mesh, pair.secondary), primary_bodies = bodies_of(mesh, pair.primary);
   primary_nodes_ = difference(free_surface_nodes(mesh, primary_bodies), nodes_of(mesh, secondary_bodies));
-  std::vector<bool> secondary_surface(mesh.nodes.size(), false);
-  for (const Shell &shell : secondary_)
-    for (const Node n : shell.nodes)
-      secondary_surface[n] = true;
-  secondary_nodes_ = difference(secondary_surface, nodes_of(mesh, primary_bodies));
-  for (std::uint32_t c = 0; c < mesh.cells.size(); ++c)
-    if (primary_bodies[mesh.cell_body[c]])
-      primary_cells_.push_back(c);
+  secondary_nodes_ = difference(nodes_on(mesh, pair.secondary), nodes_of(mesh, primary_bodies));
+  primary_cells_ = cells_of(mesh, primary_bodies);
   // what closes an open surface at rest (the base under a clamped ring) is not beyond it
   overhang_.assign(primary_nodes_.size(), 0);
   State rest;

@@ -2,18 +2,10 @@
 #pragma once
 #include "solver/contact_search.h"
 #include "solver/contact_surface.h"
-#include "solver/parameters.h"
+#include "solver/violation.h"
 
 namespace ballonet::solver
 {
-
-/// A node of one body that lies inside the other one, or beyond its wall.
-struct Violation {
-  Node node;
-  Vector3 position; ///< mm
-  double depth;     ///< mm, distance to the surface it went through
-  std::string body; ///< the body it got into
-};
 
 /// Looks for tunnelling: the contact energy vanishes when a body has passed between the contact points, and the
 /// equations still converge. Independent of the contact's pairing and quadrature points.
@@ -21,7 +13,8 @@ struct Violation {
 /// Nodes on the free surface of the primary bodies are tested against the secondary surface, which must enclose its
 /// body and may be open at symmetry planes and clamped rings: whatever lies on its inner side has gone through, however
 /// far. Nodes of the secondary surface are tested against the cells of the primary bodies. Nodes that belong to both
-/// bodies, and nodes that lie on the inner side already at rest (what closes an open surface), are left out.
+/// bodies, and nodes that lie on the inner side already at rest (what closes an open surface), are left out. A body
+/// that touches itself is SelfPenetration's, a rigid one RigidPenetration's.
 class PenetrationCheck
 {
 public:

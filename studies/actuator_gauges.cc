@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "studies/actuator_gauges.h"
 #include "geometry/boundary.h"
+#include "studies/actuator_pebs.h"
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -70,14 +71,15 @@ PebsShapeGauge::Touch PebsShapeGauge::touch(const solver::State &state, const so
 {
   double force = 0;
   std::vector<char> mark(model_.mesh.cells.size(), 0);
-  for (const auto &pair : equilibrium.contact_points(state))
-    for (const solver::ContactPoint &point : pair) {
-      if (!point.primary)
-        continue;
-      mark[point.primary->cell] = 1;
-      if (head_faces_.contains({point.primary->cell, point.primary->local}))
-        force += point.pressure * point.area;
-    }
+  const auto &pairs = model_.parameters.contact_pairs;
+  const auto points = equilibrium.contact_points(state);
+  for (std::size_t i = 0; i < pairs.size(); ++i)
+    if (pairs[i].name == cage_pair)
+      for (const solver::ContactPoint &point : points[i]) {
+        mark[point.primary->cell] = 1;
+        if (head_faces_.contains({point.primary->cell, point.primary->local}))
+          force += point.pressure * point.area;
+      }
   MPI_Allreduce(MPI_IN_PLACE, &force, 1, MPI_DOUBLE, MPI_SUM, communicator_);
   MPI_Allreduce(MPI_IN_PLACE, mark.data(), static_cast<int>(mark.size()), MPI_CHAR, MPI_MAX, communicator_);
   const std::vector<bool> touched(mark.begin(), mark.end());

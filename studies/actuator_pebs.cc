@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "studies/actuator_pebs.h"
+#include <algorithm>
 
 namespace ballonet::studies
 {
@@ -28,12 +29,15 @@ void add_symmetry(solver::Parameters &parameters, const Study &study)
     parameters.supports.push_back({"symmetry", {"y"}, {}});
 }
 
-solver::ContactPair cage_contact(const ContactDefaults &contact)
+using Names = std::vector<std::string>;
+
+solver::ContactPair contact_pair(const std::string &name, const Names &secondary, const Names &primary,
+                                 const ContactDefaults &contact)
 {
   solver::ContactPair pair;
-  pair.name = "cage";
-  pair.secondary = {"balloon_outer"};
-  pair.primary = {"backbone_contact"};
+  pair.name = name;
+  pair.secondary = secondary;
+  pair.primary = primary;
   pair.friction = contact.friction;
   pair.stiffness = contact.stiffness;
   pair.thickness = contact.thickness;
@@ -44,6 +48,50 @@ solver::ContactPair cage_contact(const ContactDefaults &contact)
   pair.viscous_velocity = contact.viscous_velocity;
   pair.penetration_limit = contact.penetration_limit;
   return pair;
+}
+
+/// A surface against itself. Every contact is felt from both sides with one pass; `points_per_side` where the surface
+/// does not stretch may be few.
+solver::ContactPair self_contact(const std::string &part, const Names &surface, int points_per_side,
+                                 const ContactDefaults &contact)
+{
+  solver::ContactPair pair = contact_pair(part, surface, surface, contact);
+  pair.passes = 1;
+  pair.points_per_side = points_per_side;
+  return pair;
+}
+
+solver::ContactPair balloon_self_contact(const ContactDefaults &contact)
+{
+  return self_contact("balloon", {"balloon_outer"}, contact.points_per_side, contact);
+}
+
+/// All of the backbone that is free.
+const Names backbone_surface = {"backbone_contact", "backbone_outside"};
+
+bool touches_itself(const Study &study, const std::string &part)
+{
+  const Names &parts = study.contact.self;
+  return std::find(parts.begin(), parts.end(), part) != parts.end();
+}
+
+void add_contact(solver::Parameters &parameters, const Study &study)
+{
+  constexpr int points_of_stiff_face = 4;
+  const ContactDefaults &contact = study.contact;
+  const bool with_balloon = study.actuator.pebs.with_balloon;
+  auto &pairs = parameters.contact_pairs;
+  if (with_balloon)
+    pairs.push_back(contact_pair(cage_pair, {"balloon_outer"}, {"backbone_contact"}, contact));
+  if (with_balloon && touches_itself(study, "balloon"))
+    pairs.push_back(balloon_self_contact(contact));
+  if (touches_itself(study, "backbone"))
+    pairs.push_back(self_contact("backbone", backbone_surface, points_of_stiff_face, contact));
+  Names everything = backbone_surface;
+  if (with_balloon)
+    everything.emplace_back("balloon_outer");
+  for (const solver::RigidBody &body : parameters.rigid_bodies)
+    pairs.push_back(contact_pair(body.name, everything, {body.name}, contact));
 }
 
 SimulationModel model_of(geometry::PebsMesh built, solver::Parameters parameters)
@@ -60,10 +108,10 @@ std::variant<SimulationModel, geometry::MeshFailure> build_pebs(const Study &stu
     return std::move(*failure);
   solver::Parameters parameters = shared_parameters(study);
   add_backbone(parameters, study);
-  if (study.actuator.pebs.with_balloon) {
+  if (study.actuator.pebs.with_balloon)
     add_balloon(parameters, study);
-    parameters.contact_pairs.push_back(cage_contact(study.contact));
-  }
+  parameters.rigid_bodies = study.rigid_bodies;
+  add_contact(parameters, study);
   add_symmetry(parameters, study);
   return model_of(std::get<geometry::PebsMesh>(std::move(built)), std::move(parameters));
 }
@@ -75,6 +123,8 @@ std::variant<SimulationModel, geometry::MeshFailure> build_balloon(const Study &
     return std::move(*failure);
   solver::Parameters parameters = shared_parameters(study);
   add_balloon(parameters, study);
+  if (touches_itself(study, "balloon"))
+    parameters.contact_pairs.push_back(balloon_self_contact(study.contact));
   add_symmetry(parameters, study);
   return model_of(std::get<geometry::PebsMesh>(std::move(built)), std::move(parameters));
 }

@@ -5,6 +5,9 @@
 namespace ballonet::studies
 {
 
+/// The contact pair of the balloon with the backbone.
+constexpr auto cage_pair = "cage";
+
 /// A balloon in a ribbed backbone: both clamped at the bottom, gas inside, contact between them.
 std::variant<SimulationModel, geometry::MeshFailure> build_pebs(const Study &study);
 

@@ -2,6 +2,7 @@
 #include "studies/measurement.h"
 #include "geometry/boundary.h"
 #include "studies/actuator_gauges.h"
+#include "studies/obstacle_gauge.h"
 #include "studies/path_gauges.h"
 #include "studies/response_gauge.h"
 #include "studies/stages.h"
@@ -23,6 +24,8 @@ Measurement::Measurement(const Study &study, const SimulationModel &model, MPI_C
     gauges_.push_back(std::make_unique<BalloonShapeGauge>(model, symmetric));
   if (study.actuator.kind == ActuatorKind::pebs)
     gauges_.push_back(std::make_unique<PebsShapeGauge>(model, symmetric, study.judge.rib_arc_share, communicator));
+  if (study.actuator.kind == ActuatorKind::pebs)
+    gauges_.push_back(std::make_unique<ObstacleGauge>(model.parameters, symmetric));
   gauges_.push_back(std::make_unique<NumericsGauge>());
   if (study.actuator.kind == ActuatorKind::pebs && study.actuator.pebs.with_balloon)
     gauges_.push_back(std::make_unique<StageGauge>(stage_thresholds(study)));
@@ -81,6 +84,14 @@ std::vector<std::uint32_t> surface_nodes(const geometry::Mesh &mesh, const std::
   std::sort(nodes.begin(), nodes.end());
   nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
   return nodes;
+}
+
+const std::vector<std::uint32_t> &set_nodes(const geometry::Mesh &mesh, const std::string &name)
+{
+  for (const geometry::NodeSet &set : mesh.node_sets)
+    if (set.name == name)
+      return set.nodes;
+  throw std::invalid_argument("the mesh has no set of nodes \"" + name + "\"");
 }
 
 } // namespace ballonet::studies

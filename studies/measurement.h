@@ -51,4 +51,7 @@ std::array<double, 3> sum_over(const std::vector<std::uint32_t> &nodes, const st
 /// The nodes of a surface, each once. Throws std::invalid_argument if the mesh has no such surface.
 std::vector<std::uint32_t> surface_nodes(const geometry::Mesh &mesh, const std::string &surface);
 
+/// The nodes of a set. Throws std::invalid_argument if the mesh has no such set.
+const std::vector<std::uint32_t> &set_nodes(const geometry::Mesh &mesh, const std::string &set);
+
 } // namespace ballonet::studies

@@ -3,6 +3,7 @@
 #include "geometry/boundary.h"
 #include "geometry/mesh_io.h"
 #include "geometry/parameter_check.h"
+#include "studies/actuator_pebs.h"
 #include "studies/reduced_checks.h"
 #include <algorithm>
 #include <filesystem>
@@ -47,6 +48,23 @@ public:
   void check_surface(const std::string &name, const std::string &key) const
   {
     check(name, key, mesh_.surfaces, "a physical surface of the mesh");
+  }
+  void check_set(const std::string &name, const std::string &key) const
+  {
+    check(name, key, mesh_.node_sets, "a physical curve or point of the mesh");
+  }
+  /// `item` names a surface or a set of nodes; `optional`: or neither.
+  template <class Item>
+  void check_place(const Item &item, const std::string &key, bool optional = false) const
+  {
+    const bool none = item.surface.empty() && item.nodes.empty(), both = !item.surface.empty() && !item.nodes.empty();
+    if (both || (none && !optional))
+      throw document_.error(key, both ? "surface together with nodes" : "neither surface nor nodes",
+                            "either surface or nodes");
+    if (!item.surface.empty())
+      check_surface(item.surface, key + ".surface");
+    if (!item.nodes.empty())
+      check_set(item.nodes, key + ".nodes");
   }
   void check_body(const std::string &name, const std::string &key) const
   {
@@ -104,14 +122,28 @@ void check_release(const Study &study, const TomlDocument &document)
                              "supports at rest: they would have to jump");
 }
 
+/// What the place of a load cannot carry.
+void check_loads(const Study &study, const TomlDocument &document)
+{
+  for (std::size_t i = 0; i < study.loads.size(); ++i) {
+    const solver::Load &load = study.loads[i];
+    const bool on_surface = load.pressure != 0 || load.traction != solver::Vector3{};
+    if (!load.nodes.empty() && on_surface)
+      throw document.error(element("load", i), "a traction or pressure on a set of nodes", "force, or a surface");
+    if (load.nodes.empty() && load.force != solver::Vector3{})
+      throw document.error(element("load", i) + ".force", "a force on a surface", "traction, or a set of nodes");
+  }
+}
+
 void check_response(const solver::Response &r, const std::string &key, const Study &study, const TomlDocument &document)
 {
   using Kind = solver::ResponseKind;
   const bool located = r.kind == Kind::displacement || r.kind == Kind::position;
-  if (located && r.surface.empty() == !r.point)
-    throw document.error(key, "not exactly one of surface and point", "either surface or point");
-  if (r.kind == Kind::reaction && r.surface.empty())
-    throw document.error(key, "a reaction without surface", "a surface that is held");
+  const bool has_place = !r.surface.empty() || !r.nodes.empty();
+  if (located && has_place == r.point.has_value())
+    throw document.error(key, "not exactly one of surface, nodes and point", "either surface, nodes or point");
+  if (r.kind == Kind::reaction && !has_place)
+    throw document.error(key, "a reaction without surface or nodes", "a surface or set of nodes that is held");
   const std::vector<std::string> components = {"x", "y", "z", "magnitude"};
   if (std::find(components.begin(), components.end(), r.component) == components.end())
     throw document.error(key + ".component", "\"" + r.component + "\"", "x | y | z | magnitude");
@@ -151,13 +183,12 @@ void check_names(const Study &study, const geometry::Mesh &mesh, const TomlDocum
     names.check_body(study.bodies[i].name, element("body", i) + ".name");
   if (study.bodies.size() < mesh.bodies.size())
     throw document.error("body", "fewer bodies than the mesh has physical volumes", "a block [[body]] for each");
-  const auto check_surfaces = [&](const auto &list, const std::string &key) {
-    for (std::size_t i = 0; i < list.size(); ++i)
-      names.check_surface(list[i].surface, element(key, i) + ".surface");
-  };
-  check_surfaces(study.supports, "support");
-  check_surfaces(study.cavities, "cavity");
-  check_surfaces(study.loads, "load");
+  for (std::size_t i = 0; i < study.supports.size(); ++i)
+    names.check_place(study.supports[i], element("support", i));
+  for (std::size_t i = 0; i < study.cavities.size(); ++i)
+    names.check_surface(study.cavities[i].surface, element("cavity", i) + ".surface");
+  for (std::size_t i = 0; i < study.loads.size(); ++i)
+    names.check_place(study.loads[i], element("load", i));
   for (std::size_t i = 0; i < study.contact_pairs.size(); ++i) {
     for (const std::string &name : study.contact_pairs[i].secondary)
       names.check_surface(name, element("contact_pair", i) + ".secondary");
@@ -168,8 +199,22 @@ void check_names(const Study &study, const geometry::Mesh &mesh, const TomlDocum
       names.check_surface(name, element("contact_pair", i) + ".primary");
   }
   for (std::size_t i = 0; i < study.responses.size(); ++i)
-    if (!study.responses[i].surface.empty())
-      names.check_surface(study.responses[i].surface, element("response", i) + ".surface");
+    names.check_place(study.responses[i], element("response", i), true);
+}
+
+/// Rigid bodies of a built-in actuator: their names become columns of history.csv.
+void check_obstacles(const Study &study, const TomlDocument &document)
+{
+  std::set<std::string> names;
+  for (std::size_t i = 0; i < study.rigid_bodies.size(); ++i) {
+    const std::string &name = study.rigid_bodies[i].name;
+    if (name.empty() || name.find_first_of(", \"\n") != std::string::npos || !names.insert(name).second)
+      throw document.error(element("rigid", i), "a name that is empty, used before, or has blanks or commas",
+                           "a name of its own");
+    if (name == cage_pair || name.starts_with("balloon") || name.starts_with("backbone"))
+      throw document.error(element("rigid", i) + ".name", "\"" + name + "\", which names a part of the actuator",
+                           "a name of its own");
+  }
 }
 
 std::string document_key(const std::string &key) { return key.starts_with("mesh.") ? key : "actuator." + key; }
@@ -195,6 +240,7 @@ void check_problem(const Study &study, const TomlDocument &document)
   const geometry::Mesh mesh = checked_mesh(study, document);
   check_bodies(study, document);
   check_names(study, mesh, document);
+  check_loads(study, document);
   check_control(study, document);
   check_release(study, document);
   check_responses(study, document);
@@ -209,6 +255,7 @@ void check_actuator(const Study &study, const TomlDocument &document)
   if (study.method.model != ModelKind::fem)
     check_reduced(study, document); // before the checks of a mesh it needs not
   check_release(study, document);
+  check_obstacles(study, document);
   if (!study.actuator.pebs.with_balloon && solver::drives_cavity(study.path.control))
     throw document.error("path.control", "a control that needs a balloon",
                          "load | release, or actuator.with_balloon = true");

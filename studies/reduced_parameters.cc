@@ -154,6 +154,8 @@ std::optional<UnknownToReduced> unknown_to_reduced(const Study &study)
 {
   if (const auto unknown = unknown_material(study))
     return unknown;
+  if (!study.rigid_bodies.empty())
+    return UnknownToReduced{"rigid", "a rigid body", "none, or method.model = \"fem\""};
   const Study seen = reduced_view(study);
   Study given = seen;
   given.actuator = study.actuator;

@@ -22,6 +22,14 @@ std::uint32_t nearest_node(const geometry::Mesh &mesh, const Vector &point)
   return static_cast<std::uint32_t>(nearest - mesh.nodes.begin());
 }
 
+/// Where a response of nodes is measured.
+std::vector<std::uint32_t> nodes_of(const solver::Response &response, const geometry::Mesh &mesh)
+{
+  if (response.point)
+    return {nearest_node(mesh, *response.point)};
+  return response.nodes.empty() ? surface_nodes(mesh, response.surface) : set_nodes(mesh, response.nodes);
+}
+
 /// "x", "y", "z" or "magnitude" of a vector.
 double component(const Vector &v, const std::string &name)
 {
@@ -44,8 +52,7 @@ ResponseGauge::ResponseGauge(const SimulationModel &model) : model_(model)
     const bool of_nodes =
         response.kind == Kind::displacement || response.kind == Kind::position || response.kind == Kind::reaction;
     if (of_nodes)
-      target.nodes = response.point ? std::vector<std::uint32_t>{nearest_node(model.mesh, *response.point)}
-                                    : surface_nodes(model.mesh, response.surface);
+      target.nodes = nodes_of(response, model.mesh);
     const auto &pairs = model.parameters.contact_pairs;
     if (response.kind == Kind::contact_force) {
       const auto found =

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "studies/response_names.h"
+#include "studies/obstacle_gauge.h"
 #include "studies/pebs_judgement.h"
 #include <cstdio>
 
@@ -61,6 +62,9 @@ std::vector<std::string> history_columns(const Study &study)
   if (study.actuator.kind == ActuatorKind::pebs)
     for (const std::string &name : pebs_columns(study.actuator.pebs.ribs.count))
       names.push_back(name);
+  if (study.actuator.kind == ActuatorKind::pebs)
+    for (const solver::RigidBody &body : study.rigid_bodies)
+      names.push_back(force_column(body));
   if (study.method.model == ModelKind::reduced)
     std::erase_if(names, is_stress);
   return names;

@@ -30,6 +30,8 @@ solver::Mesh solver_mesh(const geometry::Mesh &mesh)
     for (const geometry::Face &face : surface.faces)
       faces.push_back({face.cell, face.local});
   }
+  for (const geometry::NodeSet &set : mesh.node_sets)
+    result.node_sets.push_back({set.name, set.nodes});
   return result;
 }
 

@@ -71,6 +71,7 @@ struct ContactDefaults {
   double friction = 0.3, stiffness = 15, thickness = 0.35, onset = 0.06, penetration_limit = 0.15;
   double elastic_slip = 0.03, viscous_velocity = 100; // mm, mm/s
   int points_per_side = 8, passes = 2;
+  std::vector<std::string> self;
 
   template <class Self, class Visitor>
   static void fields(Self &self, Visitor &v)
@@ -92,6 +93,8 @@ struct ContactDefaults {
         "sliding speed at which friction has doubled: a regularisation that keeps a balloon from jumping when it "
         "begins to slide");
     v.quantity("penetration_limit", self.penetration_limit, "mm", 0, 10, "a step that ends deeper is rejected");
+    v.words("self", self.self, {"backbone", "balloon"},
+            "parts that may touch themselves: ribs, folds, head and base each other; the balloon's folds and domes");
   }
 };
 
@@ -174,6 +177,8 @@ private:
   {
     v.group("mesh", self.mesh, "numbers of elements");
     v.group("contact", self.contact, "contact between the parts of the actuator");
+    if (self.actuator.kind == ActuatorKind::pebs)
+      v.group_list("rigid", self.rigid_bodies, "obstacles: rigid bodies in closed form, fixed in space");
     v.group("judge", self.judge, "thresholds of stages and instabilities");
   }
 

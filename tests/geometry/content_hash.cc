@@ -17,10 +17,12 @@ TEST_CASE("the same design has the same hash, any change another one")
   const Mesh mesh = built(short_pebs(), {}).mesh;
   const std::uint64_t hash = content_hash(mesh);
   CHECK(content_hash(built(short_pebs(), {}).mesh) == hash);
-  Mesh moved = mesh, renamed = mesh, smaller = mesh;
+  Mesh moved = mesh, renamed = mesh, smaller = mesh, marked = mesh;
   moved.nodes[7][1] += 1e-12;
   renamed.surfaces[0].name += "x";
   smaller.surfaces[0].faces.pop_back();
+  marked.node_sets = {{"point", {7}}};
+  CHECK(content_hash(marked) != hash);
   CHECK(content_hash(moved) != hash);
   CHECK(content_hash(renamed) != hash);
   CHECK(content_hash(smaller) != hash);

@@ -34,6 +34,8 @@ void write_sector(const std::filesystem::path &path, const Sector &sector)
     gmsh::model::geo::synchronize();
     const int body = gmsh::model::addPhysicalGroup(3, {volume[1].second});
     const int start = gmsh::model::addPhysicalGroup(2, {face[1].second});
+    gmsh::model::setPhysicalName(1, gmsh::model::addPhysicalGroup(1, {line[1].second}), "radius");
+    gmsh::model::setPhysicalName(0, gmsh::model::addPhysicalGroup(0, {point}), "corner");
     if (sector.named_volume)
       gmsh::model::setPhysicalName(3, body, "sector");
     if (sector.named_surface)
@@ -57,7 +59,8 @@ std::string reason_of(const std::variant<Mesh, MeshFailure> &result)
 TEST_CASE("a mesh survives the round trip through a gmsh file unchanged")
 {
   const ScratchFile file("round_trip.msh");
-  const Mesh mesh = built(short_pebs(), {}).mesh;
+  Mesh mesh = built(short_pebs(), {}).mesh;
+  mesh.node_sets = {{"point", {7}}, {"line", {3, 20, 100}}};
   REQUIRE_FALSE(write_msh(mesh, file.path));
   const auto result = read_msh(file.path);
   REQUIRE(reason_of(result) == "");
@@ -103,6 +106,14 @@ TEST_CASE("hexahedra of 8, 20 and 27 nodes are read and completed")
   CHECK(mesh.bodies.at(0).name == "sector");
   CHECK(volume(mesh, "sector") == Approx(expected).epsilon(1e-3));
   CHECK(area(mesh, "start") == Approx(1));
+  REQUIRE(mesh.node_sets.size() == 2);
+  CHECK(mesh.node_sets[0].name == "radius");
+  REQUIRE(mesh.node_sets[0].nodes.size() == 5); // two edges with their middle nodes, whatever the file had
+  for (const auto node : mesh.node_sets[0].nodes)
+    CHECK(std::hypot(mesh.nodes[node][1], mesh.nodes[node][2]) < 1e-12);
+  CHECK(mesh.node_sets[1].name == "corner");
+  REQUIRE(mesh.node_sets[1].nodes.size() == 1);
+  CHECK(mesh.nodes[mesh.node_sets[1].nodes[0]] == Point{1, 0, 0});
 }
 
 TEST_CASE("files that cannot be used are refused with the reason")

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "tests/support/contact_scene.h"
 #include "tests/support/derivative_check.h"
+#include "tests/support/two_arms.h"
 #include <catch2/catch.hpp>
 
 using namespace ballonet::solver;
@@ -9,39 +9,9 @@ using namespace ballonet::tests;
 namespace
 {
 
-constexpr double gap = 0.5, arm = 2, wall = 0.4; // mm
+constexpr double gap = TwoArms::gap, arm = TwoArms::arm; // mm
 
-/// Two arms of one body along x, at y > gap / 2 and y < -gap / 2, each of five cells.
-struct Fold : ContactScene {
-  explicit Fold(int passes = 2)
-  {
-    add_block(mesh, "upper", {5, 1, 1}, [](auto p) {
-      return std::array<double, 3>{arm * p[0], gap / 2 + wall * p[1], p[2]};
-    });
-    add_block(mesh, "lower", {5, 1, 1}, [](auto p) {
-      return std::array<double, 3>{arm * p[0], -gap / 2 - wall * (1 - p[1]), p[2]};
-    });
-    mesh.bodies = {"fold"};
-    mesh.cell_body.assign(mesh.cells.size(), 0);
-    pair = {"pair", {"upper.y0", "lower.y1"}, {"upper.y0", "lower.y1"}, 0.3, 0.15, 9, 0.06};
-    pair.passes = passes;
-    state.displacement.assign(3 * mesh.nodes.size(), 0.);
-  }
-
-  /// Both arms moved towards the middle until they overlap by `depth`, slid by `slip` along x against each other.
-  State closed(double depth, double slip = 0) const
-  {
-    State result = state;
-    for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
-      const double side = mesh.nodes[n][1] > 0 ? 1 : -1;
-      result.displacement[3 * n] = side * slip / 2;
-      result.displacement[3 * n + 1] = -side * (gap + depth) / 2;
-    }
-    return result;
-  }
-};
-
-ContactWork started(const Fold &fold, const State &state)
+ContactWork started(const TwoArms &fold, const State &state)
 {
   ContactWork work(fold.mesh, fold.pair, all_owned);
   work.begin_step(state, {.dt = 1e-6});
@@ -52,7 +22,7 @@ ContactWork started(const Fold &fold, const State &state)
 
 TEST_CASE("self-contact: a surface does not touch its own neighbourhood, open or bent")
 {
-  const Fold fold;
+  const TwoArms fold;
   CHECK(started(fold, fold.state).summary(fold.state).points == 0);
   const State bent = moved(fold.state, random_field(fold.state.displacement.size(), 0.02, 3), 1);
   CHECK(started(fold, bent).summary(bent).points == 0);
@@ -61,7 +31,7 @@ TEST_CASE("self-contact: a surface does not touch its own neighbourhood, open or
 TEST_CASE("self-contact: two parts that meet press on each other by the law, once")
 {
   for (const int passes : {1, 2}) {
-    const Fold fold(passes);
+    const TwoArms fold(passes);
     const State state = fold.closed(0.05);
     const auto summary = started(fold, state).summary(state);
     CHECK(summary.penetration == Approx(0.05).epsilon(1e-10));
@@ -72,7 +42,7 @@ TEST_CASE("self-contact: two parts that meet press on each other by the law, onc
 
 TEST_CASE("self-contact: forces balance, friction included, and residual and tangent are derivatives")
 {
-  Fold fold;
+  TwoArms fold;
   const State shut = fold.closed(0.05);
   const ContactWork work = started(fold, shut);
   const State slid = moved(fold.closed(0.06, 1e-3), random_field(shut.displacement.size(), 0.01, 5), 1);
@@ -90,7 +60,7 @@ TEST_CASE("self-contact: forces balance, friction included, and residual and tan
 
 TEST_CASE("self-contact: a step stops before one part goes through the other")
 {
-  const Fold fold;
+  const TwoArms fold;
   const ContactWork work = started(fold, fold.state);
   const State far = fold.closed(3);
   const double fraction = work.largest_step(fold.state, far.displacement);

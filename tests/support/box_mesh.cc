@@ -52,6 +52,11 @@ solver::Mesh beside(solver::Mesh a, const solver::Mesh &b)
       face.cell += cells;
     a.surfaces.push_back(surface);
   }
+  for (auto set : b.node_sets) {
+    for (auto &node : set.nodes)
+      node += nodes;
+    a.node_sets.push_back(set);
+  }
   return a;
 }
 

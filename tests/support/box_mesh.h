@@ -13,7 +13,7 @@ using Point3 = std::array<double, 3>;
 solver::Mesh box_mesh(int nx, int ny, int nz, const std::function<Point3(Point3)> &map = {},
                       const std::string &body = "body", const std::string &prefix = "");
 
-/// Puts b's bodies and surfaces beside a's (no node is shared).
+/// Puts b's bodies, surfaces and sets of nodes beside a's (no node is shared).
 solver::Mesh beside(solver::Mesh a, const solver::Mesh &b);
 
 /// Positions moved by an internal distortion that leaves the unit cube's faces plane.
