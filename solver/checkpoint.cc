@@ -19,6 +19,12 @@ void for_each_scalar(Progress &p, const Visit &visit)
   visit("step", p.step);
   visit("cuts", p.cuts);
   visit("setbacks", p.setbacks);
+  visit("negative_pivots", p.stability.negative_pivots);
+  visit("compliance", p.stability.compliance);
+  visit("moving", p.regularisation.moving);
+  visit("steps_to_rest", p.regularisation.steps_to_rest);
+  visit("rests_to_go", p.regularisation.rests_to_go);
+  visit("caution", p.regularisation.caution);
   visit("iterations", p.iterations);
   visit("factorisations", p.factorisations);
   visit("load_factor", p.state.load_factor);

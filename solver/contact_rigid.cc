@@ -99,7 +99,7 @@ Point3 RigidContactWork::force(const PointAt &p) const
 
 void RigidContactWork::begin_step(const State &start, const Step &step)
 {
-  friction_law_.viscous_slip = viscous_velocity_ * step.dt;
+  friction_law_.viscous_slip = viscous_velocity_ * step.rate_time();
   for_each(start, [&](const PointAt &p) {
     stored_pressure_[p.index] = law_.pressure(p.penetration());
     const Point3 traction = remembered_traction(start, first_point_ + p.number);

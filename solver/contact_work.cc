@@ -71,7 +71,7 @@ void ContactWork::begin_step(const State &start, const Step &step)
   pairing_.begin_step();
   search(start);
   couplings_changed_ = couplings_changed_ || had_couplings;
-  friction_law_.viscous_slip = viscous_velocity_ * step.dt;
+  friction_law_.viscous_slip = viscous_velocity_ * step.rate_time();
   sliding_.clear();
   std::fill(stored_pressure_.begin(), stored_pressure_.end(), 0.);
   for (const PairedPoint &p : touching(start)) {

@@ -129,7 +129,7 @@ void ElasticWork::add_condensed_pressures(const Cell &cell, const CellVector &u,
 
 void ElasticWork::begin_step(const State &start, const Step &step)
 {
-  viscosity_ = 2 * law_->shear_modulus() * relaxation_time_ / step.dt;
+  viscosity_ = 2 * law_->shear_modulus() * relaxation_time_ / step.rate_time();
   for (auto &cell : cells_) {
     const auto u = local(cell, start.displacement);
     if (mixed_) {

@@ -132,11 +132,33 @@ std::vector<double> Equilibrium::total_mass() const
   return mass;
 }
 
+/// Volume at rest that a node stands for, mm^3, summed over the ranks.
+std::vector<double> Equilibrium::nodal_volumes() const
+{
+  std::vector<double> volumes(discretization_.n_nodes());
+  for (std::uint32_t body = 0; body < bodies_.size(); ++body)
+    add_nodal_mass(discretization_, body, 1, volumes);
+  MPI_Allreduce(MPI_IN_PLACE, volumes.data(), volumes.size(), MPI_DOUBLE, MPI_SUM, comm_);
+  return volumes;
+}
+
 bool Equilibrium::moves_a_support() const
 {
   return std::any_of(parameters_.supports.begin(), parameters_.supports.end(), [](const Support &support) {
     return std::any_of(support.move.begin(), support.move.end(), [](const auto &way) { return way && *way != 0; });
   });
+}
+
+bool Equilibrium::feels_rates() const
+{
+  const auto any = [](const auto &list, const auto &condition) {
+    return std::any_of(list.begin(), list.end(), condition);
+  };
+  const bool inertia = parameters_.path.inertia;
+  return any(parameters_.materials,
+             [&](const Material &m) { return m.relaxation_time > 0 || (inertia && m.density > 0); }) ||
+         any(parameters_.contact_pairs,
+             [](const ContactPair &p) { return p.friction > 0 && p.viscous_velocity < infinity; });
 }
 
 void Equilibrium::release(State &state)
@@ -231,11 +253,18 @@ void Equilibrium::factorise_tangent(const State &state, double dt)
     throw std::runtime_error("the factorisation of the tangent failed");
 }
 
+Stability Equilibrium::stability(const State &state)
+{
+  factorise_tangent(state, infinity);
+  const bool has_load = cavity_ || !parameters_.loads.empty() || parameters_.gravity != Vector3{};
+  return {system_.negative_pivots(), has_load ? newton_->compliance(state) : 0};
+}
+
 std::vector<Mode> Equilibrium::modes(const State &state, const ModeRequest &request)
 {
   if (request.volume_held && !cavity_)
     throw std::invalid_argument("modes at held volume need a cavity");
-  const auto mass = total_mass();
+  const auto mass = request.by_volume ? nodal_volumes() : total_mass();
   factorise_tangent(state, request.dt);
   if (!request.volume_held)
     return lowest_modes(system_, mass, nullptr, request.count);

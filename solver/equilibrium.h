@@ -50,6 +50,13 @@ public:
   /// std::runtime_error when they cannot be found, std::invalid_argument where there is no mass, or no volume to hold.
   std::vector<Mode> modes(const State &state, const ModeRequest &request);
 
+  /// Whether anything resists a motion: viscosity, mass under the path's inertia, friction that feels the speed.
+  bool feels_rates() const;
+
+  /// Of the static tangent in a state, which is factorised there (collective).
+  Stability stability(const State &state);
+  std::vector<double> load_force(const State &state) const { return newton_->load_force(state); }
+
   double volume(const State &state) const { return newton_->volume(state); }
   Energies energies(const State &state) const;
   /// Largest von Mises stress of every cell of the mesh, MPa, on every rank.
@@ -69,6 +76,7 @@ private:
   void add_check(const Arguments &...arguments);
   void build_loads(const std::vector<double> &mass);
   std::vector<double> total_mass() const;
+  std::vector<double> nodal_volumes() const;
   void factorise_tangent(const State &state, double dt);
   bool moves_a_support() const;
   void remember_friction(State &end) const;

@@ -124,6 +124,36 @@ double Hdf5File::read_attribute(const std::string &object, const std::string &na
   return value;
 }
 
+std::string Hdf5File::read_text_attribute(const std::string &object, const std::string &name) const
+{
+  const hid_t id =
+      check(H5Aopen_by_name(file_, object.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT), "open attribute " + name);
+  const hid_t type = H5Aget_type(id);
+  std::string text(H5Tget_size(type), '\0');
+  check(H5Aread(id, type, text.data()), "read attribute " + name);
+  H5Tclose(type);
+  H5Aclose(id);
+  return text.c_str(); // up to the zero at its end
+}
+
+std::map<std::string, double> Hdf5File::number_attributes(const std::string &object) const
+{
+  const hid_t id = check(H5Oopen(file_, object.c_str(), H5P_DEFAULT), "open " + object);
+  std::map<std::string, double> numbers;
+  for (int i = 0; i < H5Aget_num_attrs(id); ++i) {
+    const hid_t attribute = H5Aopen_by_idx(id, ".", H5_INDEX_NAME, H5_ITER_INC, i, H5P_DEFAULT, H5P_DEFAULT);
+    const hid_t type = H5Aget_type(attribute);
+    char name[256];
+    H5Aget_name(attribute, sizeof name, name);
+    if (H5Tget_class(type) == H5T_FLOAT)
+      H5Aread(attribute, H5T_NATIVE_DOUBLE, &numbers[name]);
+    H5Tclose(type);
+    H5Aclose(attribute);
+  }
+  H5Oclose(id);
+  return numbers;
+}
+
 void Hdf5File::flush() { check(H5Fflush(file_, H5F_SCOPE_GLOBAL), "write it"); }
 
 } // namespace ballonet::solver

@@ -32,6 +32,9 @@ public:
   void write_attribute(const std::string &object, const std::string &name, const std::string &value);
   std::vector<double> read(const std::string &dataset) const;
   double read_attribute(const std::string &object, const std::string &name) const;
+  std::string read_text_attribute(const std::string &object, const std::string &name) const;
+  /// All attributes of an object that are numbers.
+  std::map<std::string, double> number_attributes(const std::string &object) const;
   void flush();
 
 private:

@@ -67,6 +67,7 @@ void HistoryFile::write_surface()
     bodies += (bodies.empty() ? "" : ",") + body;
   file_.create_group("/surface");
   file_.create_group("/states");
+  file_.create_group("/critical_points");
   file_.write_attribute("/surface", "bodies", bodies);
   file_.write("/surface/faces", faces_, 4);
   file_.write("/surface/face_body", face_body_);
@@ -78,6 +79,9 @@ void HistoryFile::drop_after(int last_step)
   for (const auto &name : file_.names("/states"))
     if (std::stoi(name) > last_step)
       file_.remove("/states/" + name);
+  for (const auto &name : file_.names("/critical_points"))
+    if (const std::string object = "/critical_points/" + name; file_.read_attribute(object, "step") > last_step)
+      file_.remove(object);
 }
 
 std::string HistoryFile::group(int step)
@@ -90,20 +94,47 @@ std::string HistoryFile::group(int step)
 void HistoryFile::add(int step, const State &state, const std::vector<double> &cell_stress,
                       const std::map<std::string, double> &attributes)
 {
-  std::vector<float> nodal(mesh_.nodes.size()), points, stress;
+  std::vector<float> nodal(mesh_.nodes.size()), stress;
   for (std::size_t c = 0; c < mesh_.cells.size(); ++c)
     for (const auto node : mesh_.cells[c])
       nodal[node] = std::max<float>(nodal[node], cell_stress[c]);
-  for (const auto node : points_) {
-    for (int d = 0; d < 3; ++d)
-      points.push_back(mesh_.nodes[node][d] + state.displacement[3 * node + d]);
+  for (const auto node : points_)
     stress.push_back(nodal[node]);
-  }
   const std::string name = group(step);
   file_.create_group(name);
-  file_.write(name + "/points", points, 3);
+  file_.write(name + "/points", positions(state), 3);
   file_.write(name + "/stress", stress);
   for (const auto &[key, value] : attributes)
+    file_.write_attribute(name, key, value);
+  file_.flush();
+}
+
+std::vector<float> HistoryFile::at_surface(const std::vector<double> &field) const
+{
+  std::vector<float> values;
+  for (const auto node : points_)
+    values.insert(values.end(), &field[3 * node], &field[3 * node] + 3);
+  return values;
+}
+
+std::vector<float> HistoryFile::positions(const State &state) const
+{
+  auto points = at_surface(state.displacement);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    points[i] += mesh_.nodes[points_[i / 3]][i % 3];
+  return points;
+}
+
+void HistoryFile::add_critical_point(const std::string &kind, const State &state, const std::vector<double> &mode,
+                                     const std::map<std::string, double> &facts)
+{
+  char name[32];
+  std::snprintf(name, sizeof name, "/critical_points/%04zu", file_.names("/critical_points").size() + 1);
+  file_.create_group(name);
+  file_.write(std::string(name) + "/points", positions(state), 3);
+  file_.write(std::string(name) + "/mode", at_surface(mode), 3);
+  file_.write_attribute(name, "kind", kind);
+  for (const auto &[key, value] : facts)
     file_.write_attribute(name, key, value);
   file_.flush();
 }

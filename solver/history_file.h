@@ -11,6 +11,7 @@ namespace ballonet::solver
 ///
 ///   /surface          attribute bodies ("a,b"), data sets faces (n x 4, points in cyclic order) and face_body (n)
 ///   /states/000012    data sets points (m x 3, mm) and stress (m, MPa); attributes given by the caller
+///   /critical_points/0001    data sets points and mode (m x 3); attribute kind, and those given by the caller
 ///
 /// Written by one rank.
 class HistoryFile
@@ -24,8 +25,14 @@ public:
   void add(int step, const State &state, const std::vector<double> &cell_stress,
            const std::map<std::string, double> &attributes);
 
+  /// `facts` has the "step" in which the point was found.
+  void add_critical_point(const std::string &kind, const State &state, const std::vector<double> &mode,
+                          const std::map<std::string, double> &facts);
+
 private:
   void write_surface();
+  std::vector<float> at_surface(const std::vector<double> &field) const;
+  std::vector<float> positions(const State &state) const;
   void drop_after(int last_step);
   static std::string group(int step);
 

@@ -21,6 +21,7 @@ struct Mode {
 struct ModeRequest {
   int count = 6;
   bool volume_held = false; ///< of the cavity: the shapes keep it; else its pressure is held
+  bool by_volume = false;   ///< the mass is the volume at rest, as if every density were 1; omega^2 is in MPa/mm^2 then
   /// s; length of the time step whose viscosity stiffens the tangent. At infinity there is none: the modes of the
   /// elastic body, its contacts sticking as far as friction has not given way. With a step's dt the modes are those
   /// whose negative ones the step's negative pivots count.

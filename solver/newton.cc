@@ -59,6 +59,7 @@ struct NewtonSolver::Implementation : SnesIteration {
   double miss(Vec x);
   void evaluate(Vec x, Vec f) override;
   void choose_direction();
+  void go_along(std::span<const double> given);
   bool linearise() override;
   bool last_factor_serves() const;
   bool has_factor() const;
@@ -174,9 +175,11 @@ bool NewtonSolver::Implementation::linearise()
       return false;
     }
   }
-  if (has_unknown_load())
+  if (has_unknown_load()) {
     system.solve(free_force, response);
-  if (target.what == Prescribe::arc_length && outcome.residuals.size() == 1)
+    outcome.compliance = dot(free_force, response);
+  }
+  if (target.what == Prescribe::arc_length && target.direction.empty() && outcome.residuals.size() == 1)
     choose_direction();
   return true;
 }
@@ -184,12 +187,22 @@ bool NewtonSolver::Implementation::linearise()
 /// Along the path's tangent, onwards: where the velocity points, or with growing load at the start of the path.
 void NewtonSolver::Implementation::choose_direction()
 {
-  petsc(VecCopy(response, direction));
   double size;
+  petsc(VecCopy(response, direction));
   petsc(VecNormalize(direction, &size));
   system.scatter(state->velocity, u);
   if (dot(direction, u) < 0)
     petsc(VecScale(direction, -1));
+}
+
+void NewtonSolver::Implementation::go_along(std::span<const double> given)
+{
+  if (given.empty())
+    return;
+  double size;
+  system.scatter({given.begin(), given.end()}, direction);
+  system.clear_held(direction);
+  petsc(VecNormalize(direction, &size));
 }
 
 void NewtonSolver::Implementation::couple()
@@ -211,12 +224,14 @@ bool NewtonSolver::Implementation::factorise()
   if (!system.factorise(works, *state))
     return false;
   outcome.negative_pivots = system.negative_pivots();
+  outcome.convexified = false;
   if (outcome.residuals.size() == 1)
     first_pivots = outcome.negative_pivots;
   const bool indefinite = outcome.negative_pivots > first_pivots;
   convex = convex || (indefinite && (watch.struggling() || outcome.negative_pivots > first_pivots + 1));
   if (!convex || !indefinite)
     return true;
+  outcome.convexified = true;
   for (auto *work : works)
     work->convexify(true);
   const bool done = system.factorise(works, *state);
@@ -297,7 +312,7 @@ bool NewtonSolver::Implementation::prescribed_is_met() const
   if (target.what == Prescribe::volume)
     return std::abs(parameter_miss) <= parameters.tolerance * target.volume;
   if (target.what == Prescribe::arc_length)
-    return std::abs(parameter_miss) <= parameters.tolerance * target.arc_length;
+    return std::abs(parameter_miss) <= parameters.tolerance * (target.arc_length > 0 ? target.arc_length : 1);
   return parameter_miss == 0 || !cavity;
 }
 
@@ -317,7 +332,7 @@ SNESConvergedReason NewtonSolver::Implementation::judge(int iteration)
     outcome.reason = *reason;
     return SNES_DIVERGED_LINE_SEARCH;
   }
-  if (iteration >= parameters.max_iterations) {
+  if (iteration >= (target.patience > 0 ? target.patience : parameters.max_iterations)) {
     outcome.reason = "no convergence within newton.max_iterations";
     return SNES_DIVERGED_MAX_IT;
   }
@@ -343,6 +358,7 @@ NewtonSolver::Outcome NewtonSolver::solve(State &state, const Target &target)
   impl_->convex = false;
   impl_->system.scatter(state.displacement, impl_->u);
   petsc(VecCopy(impl_->u, impl_->start));
+  impl_->go_along(target.direction);
   impl_->begin_iteration(0);
   const int factorisations = impl_->system.factorisations();
   impl_->iterate(impl_->u, impl_->parameter(state));
@@ -355,6 +371,23 @@ NewtonSolver::Outcome NewtonSolver::solve(State &state, const Target &target)
 double NewtonSolver::volume(const State &state) const
 {
   return impl_->cavity ? impl_->sum(impl_->cavity->volume(state)) : 0;
+}
+
+std::vector<double> NewtonSolver::load_force(const State &state) const
+{
+  std::vector<double> force(state.displacement.size());
+  State copy = state;
+  impl_->state = &copy;
+  impl_->assemble_force();
+  impl_->system.gather(impl_->free_force, force);
+  return force;
+}
+
+double NewtonSolver::compliance(const State &state) const
+{
+  impl_->system.scatter(load_force(state), impl_->free_force);
+  impl_->system.solve(impl_->free_force, impl_->response);
+  return impl_->dot(impl_->free_force, impl_->response);
 }
 
 std::vector<double> NewtonSolver::forces(const State &state) const

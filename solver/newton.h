@@ -2,6 +2,7 @@
 #pragma once
 #include "solver/cavity_work.h"
 #include "solver/linear_system.h"
+#include "solver/stability.h"
 #include <optional>
 #include <string>
 
@@ -25,6 +26,10 @@ public:
     double parameter = 0;  ///< MPa, of the cavity; a load factor is prescribed by the state itself
     double volume = 0;     ///< mm^3
     double arc_length = 0; ///< mm, Euclidean norm over all free displacements
+    /// Of a step of prescribed arc length, three per node: where it goes, from where the iteration starts. Empty: along
+    /// the path's tangent.
+    std::span<const double> direction = {};
+    int patience = 0; ///< iterations; 0: newton.max_iterations
   };
   struct Outcome {
     bool converged = false;
@@ -32,9 +37,12 @@ public:
     std::optional<Node> restless;  ///< moved most in the last iteration
     std::vector<double> residuals; ///< relative, before each iteration and at the end
     int negative_pivots = 0;       ///< of the last tangent, load parameter held
+    double compliance = 0;         ///< F . K^-1 F of the last tangent, zero where the load parameter is no unknown
+    bool convexified = false;      ///< the last tangent was made convex, its compliance is not the body's
     int factorisations = 0;
     double volume = 0; ///< mm^3
     int iterations() const { return static_cast<int>(residuals.size()) - 1; }
+    Stability stability() const { return {negative_pivots, compliance}; }
   };
 
   /// `works` includes the `loads` that the load factor scales and the cavity's work; `cavity` may be null. All must
@@ -50,6 +58,10 @@ public:
 
   /// Volume of the cavity, mm^3 (collective); zero without one.
   double volume(const State &state) const;
+  /// Force F of a unit of the load parameter, N per its unit, zero where displacements are held (collective).
+  std::vector<double> load_force(const State &state) const;
+  /// F . K^-1 F with the tangent factorised last (collective).
+  double compliance(const State &state) const;
   /// Forces the contributions exert on every node against its displacement, held ones included: reactions (collective).
   std::vector<double> forces(const State &state) const;
 

@@ -202,6 +202,9 @@ constexpr bool drives_cavity(Control control)
   return control == Control::volume || control == Control::pressure || control == Control::ramp;
 }
 
+/// When steps under control of volume or pressure feel viscosity, mass and the speed of sliding.
+enum class Rates { where_needed, always };
+enum class CriticalPoints { none, locate };
 enum class Integrator { by_control, backward_euler, generalised_alpha };
 
 /// How the path is driven. Load factor: 0 to 1 over the run under `load`; under the other controls it brings gravity,
@@ -217,7 +220,12 @@ struct Path {
   double preload_time = 10;       // s: long against every relaxation time, so the preload is quasi-static
   int preload_steps = 1;
   int load_steps = 10;
+  Rates rates = Rates::where_needed;
+  int rest_every = 3; // steps in motion
   bool inertia = true;
+  CriticalPoints critical_points = CriticalPoints::none;
+  double critical_tolerance = 0.02;
+  double branch_amplitude = 0; // mm
   Integrator integrator = Integrator::by_control;
   double spectral_radius = 0.8;
   double duration = 1;                                          // s
@@ -252,7 +260,22 @@ struct Path {
     v.quantity("preload_time", self.preload_time, "s", 1e-6, 1e9, "pseudo-time over which gravity comes in");
     v.count("preload_steps", self.preload_steps, 1, 1000, "first guess of the number of preload steps");
     v.count("load_steps", self.load_steps, 1, 100000, "first guess of the number of steps under load control");
+    v.choice("rates", self.rates, {{"where_needed", Rates::where_needed}, {"always", Rates::always}},
+             "under volume and pressure: where_needed takes static steps from equilibrium to equilibrium, and steps "
+             "regularised by rate (viscosity, mass, speed of sliding) where no static step is found, until the body "
+             "comes to rest at held volume or pressure; always never looks for equilibrium");
+    v.count("rest_every", self.rest_every, 1, 1000000,
+            "steps in motion between two searches for rest (rates = where_needed)");
     v.flag("inertia", self.inertia, "with mass (lumped); without, the path is driven by viscosity alone");
+    v.choice("critical_points", self.critical_points,
+             {{"none", CriticalPoints::none}, {"locate", CriticalPoints::locate}},
+             "locate: limit points and bifurcations between two equilibria are located by bisection and written with "
+             "their modes; each costs about 30 factorisations");
+    v.quantity("critical_tolerance", self.critical_tolerance, "1", 1e-6, 0.1,
+               "how closely a critical point is bracketed: part of the step in which it lies");
+    v.quantity("branch_amplitude", self.branch_amplitude, "mm", 0, 1e3,
+               "at a located bifurcation the path goes on with its mode added: the node that moves most moves by this; "
+               "0: it stays on its branch");
     v.choice("integrator", self.integrator,
              {{"by_control", Integrator::by_control},
               {"backward_euler", Integrator::backward_euler},

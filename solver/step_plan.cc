@@ -14,6 +14,8 @@ using Prescribe = NewtonSolver::Prescribe;
 namespace
 {
 
+constexpr int static_patience = 10; // iterations where a step in motion can take over
+
 /// Whether the path is driven by the load factor itself.
 bool drives_load(Control control, bool has_cavity)
 {
@@ -22,7 +24,8 @@ bool drives_load(Control control, bool has_cavity)
 
 } // namespace
 
-StepPlan::StepPlan(const Path &path, double reference_volume) : path_(path), reference_volume_(reference_volume)
+StepPlan::StepPlan(const Path &path, double reference_volume, bool feels_rates)
+    : path_(path), reference_volume_(reference_volume), feels_rates_(feels_rates)
 {
   if (drives_cavity(path.control) && !has_cavity())
     throw std::invalid_argument(
@@ -53,14 +56,14 @@ StepPlan::Attempt StepPlan::preload(const PathProgress &progress) const
 {
   const double from = progress.state.load_factor;
   const double to = from + progress.stretch > 1 - 1e-9 ? 1 : from + progress.stretch;
-  return {{(to - from) * path_.preload_time, to, false},
+  return {{(to - from) * path_.preload_time, to, false, false},
           {.parameter = to * path_.initial_pressure},
           &PathProgress::stretch};
 }
 
 StepPlan::Attempt StepPlan::along_arc(const PathProgress &progress) const
 {
-  return {{path_.preload_time, progress.state.load_factor, false},
+  return {{path_.preload_time, progress.state.load_factor, false, false},
           {.what = Prescribe::arc_length, .arc_length = progress.arc_length},
           &PathProgress::arc_length};
 }
@@ -68,7 +71,7 @@ StepPlan::Attempt StepPlan::along_arc(const PathProgress &progress) const
 StepPlan::Attempt StepPlan::in_time(const PathProgress &progress) const
 {
   Attempt attempt = {{progress.dt, 1, path_.inertia}, {}, &PathProgress::dt};
-  auto &[step, target, length] = attempt;
+  auto &[step, target, length, may_move] = attempt;
   target.parameter = progress.state.pressure + path_.pressure_rate * progress.dt;
   if (path_.control == Control::volume) {
     target.what = Prescribe::volume;
@@ -79,6 +82,24 @@ StepPlan::Attempt StepPlan::in_time(const PathProgress &progress) const
   } else if (path_.control != Control::ramp) {
     step.inertia = false;
   }
+  if (path_.control == Control::volume || path_.control == Control::pressure) {
+    const bool seeks_rest = path_.rates == Rates::where_needed || !feels_rates_;
+    step.rates = !seeks_rest || progress.regularisation.moving;
+    step.inertia = step.inertia && step.rates;
+    may_move = feels_rates_ && !step.rates;
+    target.patience = may_move ? static_patience : 0;
+  }
+  return attempt;
+}
+
+StepPlan::Attempt StepPlan::to_rest(const PathProgress &progress) const
+{
+  Attempt attempt = {{infinity, progress.state.load_factor, false, false}, {.parameter = progress.state.pressure}, {}};
+  if (path_.control == Control::volume) {
+    attempt.target.what = Prescribe::volume;
+    attempt.target.volume = progress.volume;
+  }
+  attempt.target.patience = static_patience;
   return attempt;
 }
 

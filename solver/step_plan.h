@@ -2,6 +2,7 @@
 #pragma once
 #include "solver/newton.h"
 #include "solver/parameters.h"
+#include "solver/regularisation.h"
 #include <string>
 
 namespace ballonet::solver
@@ -10,6 +11,8 @@ namespace ballonet::solver
 /// Where a path stands; all that is needed to go on from there.
 struct PathProgress {
   State state;
+  Stability stability; ///< of the last equilibrium
+  Regularisation regularisation;
   int step = 0;              ///< converged steps
   int cuts = 0;              ///< rejected attempts
   int setbacks = 0;          ///< two more with every cut, one less with every step: grows when the path stands still
@@ -33,14 +36,17 @@ public:
     Step step;
     NewtonSolver::Target target;
     double PathProgress::*length; ///< what it is measured by: stretch, dt or arc_length
+    bool may_move = false;        ///< a static step that a step in motion can take the place of
   };
 
-  /// `reference_volume`: of the cavity at rest, mm^3; zero without one. Throws std::invalid_argument for a control that
-  /// has nothing to drive.
-  StepPlan(const Path &path, double reference_volume);
+  /// `reference_volume`: of the cavity at rest, mm^3; zero without one. `feels_rates`: a motion meets forces that a
+  /// static step does not know. Throws std::invalid_argument for a control that has nothing to drive.
+  StepPlan(const Path &path, double reference_volume, bool feels_rates);
 
   void start(PathProgress &progress) const;
   Attempt next(const PathProgress &progress) const;
+  /// A static step that keeps the volume, or else the pressure, of a state in motion.
+  Attempt to_rest(const PathProgress &progress) const;
   /// After a step that needed so many factorisations and dissipated so much, N mm.
   void lengthen(PathProgress &progress, const Attempt &taken, int factorisations, double dissipated) const;
   /// After a rejected attempt; false when the next one would be shorter than allowed.
@@ -58,6 +64,7 @@ private:
 
   const Path &path_;
   double reference_volume_;
+  bool feels_rates_;
 };
 
 } // namespace ballonet::solver

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace ballonet::solver
@@ -24,6 +25,10 @@ struct Step {
   double dt = 0;          ///< s
   double load_factor = 1; ///< of gravity, loads and moved supports at the end of the step
   bool inertia = false;   ///< with mass
+  bool rates = true;      ///< with viscosity and friction that feels the speed; without: a static step
+
+  /// s; over which rates of strain and sliding are measured.
+  double rate_time() const { return rates ? dt : std::numeric_limits<double>::infinity(); }
 };
 
 } // namespace ballonet::solver

@@ -71,6 +71,8 @@ public:
       rows_.push_back(measurement_.measure(point, simulation_.equilibrium()));
       if (table_)
         table_->append(rows_.back());
+      for (const solver::CriticalPoint &critical : point.critical_points)
+        keep_critical_point(critical);
       if (point.progress.step % study_.output.shape_every == 0)
         keep_shape();
       between_steps();
@@ -85,6 +87,7 @@ public:
   }
 
   const std::vector<Row> &rows() const { return rows_; }
+  const std::vector<CriticalRecord> &critical_points() const { return critical_points_; }
 
   void log(const std::string &line)
   {
@@ -104,6 +107,17 @@ private:
     }
   }
 
+  void keep_critical_point(const solver::CriticalPoint &point)
+  {
+    const CriticalRecord record = record_of(point, is_half() ? 2 : 1, simulation_.equilibrium().has_cavity());
+    critical_points_.push_back(record);
+    if (shapes_)
+      shapes_->add_critical_point(record.kind, point.state, point.mode, record.facts);
+  }
+
+  /// Whether the mesh is one half of the actuator.
+  bool is_half() const { return study_.actuator.kind != ActuatorKind::mesh && study_.mesh.symmetry; }
+
   /// Writes the present shape; all ranks take part.
   void keep_shape()
   {
@@ -113,8 +127,8 @@ private:
       fields_->add(progress.step, progress.state, stresses, simulation_.equilibrium());
     if (!shapes_)
       return;
-    const bool half = study_.actuator.kind != ActuatorKind::mesh && study_.mesh.symmetry;
-    std::map<std::string, double> facts = {{"step", progress.step}, {"time", progress.state.time}, {"symmetry", half}};
+    std::map<std::string, double> facts = {
+        {"step", progress.step}, {"time", progress.state.time}, {"symmetry", is_half()}};
     for (const auto &[name, value] : rows_.back())
       if (name == "pressure_kPa" || name == "bending_angle_deg")
         facts[name] = value;
@@ -129,6 +143,7 @@ private:
         rows_.push_back(row);
     if (!rows_.empty())
       measurement_.go_on_after(rows_.back());
+    critical_points_ = read_critical_points(folder_ / "history.h5", simulation_.progress().step);
   }
 
   const Study &study_;
@@ -137,6 +152,7 @@ private:
   solver::Simulation simulation_;
   Measurement measurement_;
   std::vector<Row> rows_;
+  std::vector<CriticalRecord> critical_points_;
   bool moved_ = false; // a step was taken in this session
   std::optional<FieldFiles> fields_;
   std::optional<HistoryTable> table_;         // of the writing rank
@@ -161,6 +177,7 @@ optimize::Evaluation recorded_evaluation(JournalFormat &format, const std::strin
   format.set_origin(hash, {number, outcome.mesh_hash});
   if (outcome.judgement)
     format.set_judgement(hash, *outcome.judgement);
+  format.set_critical_points(hash, outcome.critical_points);
   return {hash, design, outcome.status, outcome.reason, outcome.responses, outcome.seconds, false};
 }
 
@@ -181,6 +198,7 @@ EvaluationOutcome run_evaluation(const Study &study, const std::filesystem::path
     const solver::PathResult result = session.run(between_steps);
     outcome.status = status_of(result.status);
     outcome.reason = result.reason;
+    outcome.critical_points = session.critical_points();
     outcome.judgement = judgement_of(study, session.rows(), outcome.status, outcome.reason);
     outcome.responses = responses_of(study, session.rows(), outcome.status == optimize::Status::ok, outcome.judgement);
     if (outcome.judgement)

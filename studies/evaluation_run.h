@@ -16,7 +16,8 @@ struct EvaluationOutcome {
   optimize::Status status = optimize::Status::failed;
   std::string reason; ///< why the path ended, also if all is well
   std::map<std::string, double> responses;
-  std::optional<Judgement> judgement; ///< of the path, where paths are judged
+  std::optional<Judgement> judgement;          ///< of the path, where paths are judged
+  std::vector<CriticalRecord> critical_points; ///< located along the path
   std::string mesh_hash;
   double seconds = 0; ///< wall time of this session
 };

@@ -7,7 +7,7 @@
 namespace ballonet::studies
 {
 
-/// Numbers with their names, in the order of the columns of history.csv; a stage stands there by its number.
+/// Numbers with their names, in the order of the columns of history.csv; a word stands there by its number.
 using Row = std::vector<std::pair<std::string, double>>;
 
 /// The number of a column; NaN if there is none.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "studies/history_table.h"
 #include "studies/atomic_file.h"
-#include "studies/stages.h"
+#include "studies/word_columns.h"
 #include <charconv>
 #include <sstream>
 #include <stdexcept>
@@ -28,18 +28,18 @@ std::string header_of(const Row &row)
   return line + "\n";
 }
 
-/// A number that reads back bit by bit, or the word of a stage.
+/// A number that reads back bit by bit, or a word.
 std::string cell_text(const std::string &column, double value)
 {
-  if (column == stage_column)
-    return word_of(static_cast<Stage>(static_cast<int>(value)));
+  if (const auto words = words_of(column); !words.empty())
+    return words.at(static_cast<std::size_t>(value));
   char text[32];
   return {text, std::to_chars(text, text + sizeof text, value).ptr};
 }
 
 double cell_value(const std::string &column, const std::string &text)
 {
-  return column == stage_column ? static_cast<double>(stage_of(text)) : std::stod(text);
+  return words_of(column).empty() ? std::stod(text) : number_of(column, text);
 }
 
 std::string line_of(const Row &row)

@@ -8,10 +8,10 @@
 namespace ballonet::studies
 {
 
-/// The rows of a history.csv, stages by their numbers; empty without such a file. An incomplete last row is left out.
+/// The rows of a history.csv, words by their numbers; empty without such a file. An incomplete last row is left out.
 std::vector<Row> read_history(const std::filesystem::path &file);
 
-/// A history.csv that grows by a row per step. Stages are written as words.
+/// A history.csv that grows by a row per step. Columns of words are written as such.
 class HistoryTable
 {
 public:

@@ -27,6 +27,23 @@ optimize::Evaluation evaluation_of(const Json &json, const optimize::DesignSpace
   return evaluation;
 }
 
+Json json_of(const CriticalRecord &point)
+{
+  Json json = {{"kind", point.kind}};
+  for (const auto &[name, value] : point.facts)
+    json[name] = value;
+  return json;
+}
+
+CriticalRecord critical_record_of(const Json &json)
+{
+  CriticalRecord point = {json.at("kind"), {}};
+  for (const auto &[name, value] : json.items())
+    if (value.is_number())
+      point.facts[name] = value;
+  return point;
+}
+
 } // namespace
 
 std::string JournalFormat::write(const optimize::Evaluation &evaluation) const
@@ -46,6 +63,9 @@ std::string JournalFormat::write(const optimize::Evaluation &evaluation) const
   json["mesh_hash"] = from.mesh_hash;
   if (const Judgement *judged = judgement(evaluation.hash))
     json["judgement"] = json_of(*judged);
+  if (const auto points = critical_points_.find(evaluation.hash); points != critical_points_.end())
+    for (const CriticalRecord &point : points->second)
+      json["critical_points"].push_back(json_of(point));
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
@@ -57,6 +77,10 @@ optimize::Evaluation JournalFormat::read(const std::string &line)
     set_origin(evaluation.hash, {json.at("id").get<int>(), json.at("mesh_hash").get<std::string>()});
     if (json.contains("judgement"))
       set_judgement(evaluation.hash, judgement_of(json.at("judgement")));
+    std::vector<CriticalRecord> points;
+    for (const Json &point : json.value("critical_points", Json::array()))
+      points.push_back(critical_record_of(point));
+    set_critical_points(evaluation.hash, std::move(points));
     return evaluation;
   } catch (const Json::exception &e) {
     throw std::invalid_argument(std::string("not an evaluation of this study: ") + e.what());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 #include "optimize/journal.h"
+#include "studies/critical_record.h"
 #include "studies/instability.h"
 #include <map>
 #include <string>
@@ -15,8 +16,9 @@ struct Origin {
 };
 
 /// Evaluations as lines of journal.jsonl: {"id", "hash", "design", "units", "status", "reason", "responses", "seconds",
-/// "mesh_hash", "judgement"}. Numbers are written so that they read back bit by bit; a response that is not finite is
-/// null. Evaluations without a judged path, and those of versions that did not judge, have no "judgement".
+/// "mesh_hash", "judgement", "critical_points"}. Numbers are written so that they read back bit by bit; a response that
+/// is not finite is null. Evaluations without a judged path, and those of versions that did not judge, have no
+/// "judgement"; those on whose path no critical point was located have no "critical_points".
 class JournalFormat
 {
 public:
@@ -35,13 +37,19 @@ public:
   /// nullptr if there is none.
   const Judgement *judgement(const std::string &hash) const;
 
+  void set_critical_points(const std::string &hash, std::vector<CriticalRecord> points)
+  {
+    critical_points_[hash] = std::move(points);
+  }
+
   /// For optimize::Journal; this object must outlive it.
   optimize::LineFormat line_format();
 
 private:
   optimize::DesignSpace space_;
-  std::map<std::string, Origin> origins_;       // by hash of the evaluation
-  std::map<std::string, Judgement> judgements_; // likewise
+  std::map<std::string, Origin> origins_;                              // by hash of the evaluation
+  std::map<std::string, Judgement> judgements_;                        // likewise
+  std::map<std::string, std::vector<CriticalRecord>> critical_points_; // likewise
 };
 
 } // namespace ballonet::studies

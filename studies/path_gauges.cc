@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "studies/path_gauges.h"
+#include "studies/word_columns.h"
 #include <algorithm>
 
 namespace ballonet::studies
@@ -27,6 +28,7 @@ void ControlGauge::measure(const solver::PathPoint &point, const solver::Equilib
   else
     row.emplace_back("control", kPa_per_MPa * progress.state.pressure);
   row.emplace_back("load_factor", progress.state.load_factor);
+  row.emplace_back(state_column, point.at_rest);
 }
 
 void CavityGauge::measure(const solver::PathPoint &point, const solver::Equilibrium &, Row &row)
@@ -43,7 +45,9 @@ void NumericsGauge::measure(const solver::PathPoint &point, const solver::Equili
   cuts_ = point.progress.cuts;
   factorisations_ = point.progress.factorisations;
   fresh_ = false;
-  row.emplace_back("negative_eigenvalues", point.newton.negative_pivots);
+  row.emplace_back("negative_eigenvalues", point.stability.negative_pivots);
+  if (equilibrium.has_cavity())
+    row.emplace_back("negative_eigenvalues_held_volume", point.stability.at_held_volume());
   row.emplace_back("newton_iterations", point.newton.iterations());
   row.emplace_back("factorisations", factorisations);
   row.emplace_back("cuts", cuts);

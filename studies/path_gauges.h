@@ -5,7 +5,8 @@
 namespace ballonet::studies
 {
 
-/// step, time_s, control (V / V0, kPa or load factor, as the path is driven), load_factor.
+/// step, time_s, control (V / V0, kPa or load factor, as the path is driven), load_factor, state (equilibrium or
+/// moving).
 class ControlGauge : public Gauge
 {
 public:
@@ -27,8 +28,9 @@ private:
   int copies_;
 };
 
-/// How the step was found: negative_eigenvalues, newton_iterations, factorisations and cuts since the last step,
-/// residual, penetration_mm, dissipated_share, kinetic_share.
+/// How the step was found: negative_eigenvalues and, with a cavity, negative_eigenvalues_held_volume,
+/// newton_iterations, factorisations and cuts since the last step, residual, penetration_mm, dissipated_share,
+/// kinetic_share.
 class NumericsGauge : public Gauge
 {
 public:

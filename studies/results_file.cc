@@ -3,7 +3,7 @@
 #include "solver/hdf5_file.h"
 #include "studies/atomic_file.h"
 #include "studies/history_table.h"
-#include "studies/stages.h"
+#include "studies/word_columns.h"
 #include <cmath>
 #include <limits>
 
@@ -25,8 +25,8 @@ void write_columns(Hdf5File &file, const std::string &group, const std::vector<R
     for (const Row &row : rows)
       values.push_back(row[i].second);
     file.write(group + "/" + name, values);
-    if (name == stage_column)
-      file.write_attribute(group + "/" + name, "words", all_stage_words());
+    if (!words_of(name).empty())
+      file.write_attribute(group + "/" + name, "words", all_words_of(name));
   }
 }
 

@@ -10,7 +10,8 @@ namespace ballonet::studies
 /// Writes results.h5, the numbers of a whole run in one file:
 ///
 ///   /evaluations        attributes: the unit of each variable, by its key
-///   /evaluations/0001   one data set per column of its history.csv (the stage by its number, words in the attribute
+///   /evaluations/0001   one data set per column of its history.csv (words by their numbers, all of them in the
+///   attribute
 ///                       `words`); attributes status, reason, hash, class (of judged paths) and the value of each
 ///                       variable, by its key
 ///   /convergence        data sets evaluation (number), objective, best_so_far (NaN where there is none), feasible

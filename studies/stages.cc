@@ -25,21 +25,7 @@ StageThresholds stage_thresholds(const Study &study)
 
 std::string word_of(Stage stage) { return words.at(static_cast<std::size_t>(stage)); }
 
-std::string all_stage_words()
-{
-  std::string text;
-  for (const char *word : words)
-    text += (text.empty() ? "" : ",") + std::string(word);
-  return text;
-}
-
-Stage stage_of(const std::string &word)
-{
-  const auto found = std::find(words.begin(), words.end(), word);
-  if (found == words.end())
-    throw std::invalid_argument("there is no stage \"" + word + "\"");
-  return static_cast<Stage>(found - words.begin());
-}
+std::vector<std::string> all_stage_words() { return {words.begin(), words.end()}; }
 
 bool StageTracker::presses_on_head(const Row &row) const
 {

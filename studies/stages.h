@@ -18,11 +18,8 @@ inline constexpr const char *stage_column = "stage";
 
 std::string word_of(Stage stage);
 
-/// "separation,insufficient,...": the words in the order of their numbers.
-std::string all_stage_words();
-
-/// Throws std::invalid_argument if there is no such stage.
-Stage stage_of(const std::string &word);
+/// All of them in the order of the stages.
+std::vector<std::string> all_stage_words();
 
 /// Where the stages begin.
 struct StageThresholds {

@@ -127,7 +127,8 @@ TEST_CASE("modes: at held volume the shapes keep it, and none is lower than at h
 
 TEST_CASE("modes: do not disturb a path that goes on", "[mpi]")
 {
-  const SealedTube tube;
+  SealedTube tube;
+  tube.parameters.path.rates = Rates::always; // static steps end where rounding decides about one more iteration
   const auto end_of_path = [&](bool with_modes) {
     Equilibrium equilibrium(tube.parameters, tube.mesh, MPI_COMM_WORLD);
     PathFollower follower(equilibrium, tube.parameters.path, MPI_COMM_WORLD);

@@ -2,6 +2,7 @@
 #include "mesh_study.h"
 #include "studies/history_table.h"
 #include "studies/stages.h"
+#include "studies/word_columns.h"
 #include <catch2/catch.hpp>
 #include <fstream>
 
@@ -86,7 +87,9 @@ TEST_CASE("stages are words in a history")
   REQUIRE(value_of(rows.at(0), stage_column) == 0);
   REQUIRE(value_of(rows.at(1), stage_column) == 3);
   for (const Stage stage : {Stage::separation, Stage::insufficient, Stage::sufficient, Stage::excessive})
-    REQUIRE(stage_of(word_of(stage)) == stage);
-  REQUIRE_THROWS_AS(stage_of("unheard"), std::invalid_argument);
-  REQUIRE(all_stage_words() == "separation,insufficient,sufficient,excessive");
+    REQUIRE(number_of(stage_column, word_of(stage)) == static_cast<double>(stage));
+  REQUIRE_THROWS_AS(number_of(stage_column, "unheard"), std::invalid_argument);
+  REQUIRE(all_words_of(stage_column) == "separation,insufficient,sufficient,excessive");
+  REQUIRE(number_of(state_column, "equilibrium") == 1);
+  REQUIRE(words_of("pressure_kPa").empty());
 }
