@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
-from .history import History, read_history
+from .history import History, marked, read_history
 from .surface import Surface, read_surface
 
 
@@ -60,7 +60,7 @@ class Evaluation:
 
     @functools.cached_property
     def history(self) -> History:
-        return read_history(self.folder / "history.csv")
+        return marked(read_history(self.folder / "history.csv"), self.entry.get("critical_points") or [])
 
     @functools.cached_property
     def surface(self) -> Surface | None:

@@ -16,7 +16,8 @@ COLOURS = (BLUE, VERMILION, GREEN, ORANGE, PURPLE, SKY, BLACK)
 FAINT = "#9AA5B1"
 INK = "#3A444E"
 STAGE_TINTS = {"separation": "#F2F4F6", "insufficient": "#FBE9C6", "sufficient": "#BFDDF0", "excessive": "#E9B79C"}
-EVENT_MARKS = {"limit point": ("^", VERMILION), "stability lost": ("o", BLACK)}
+EVENT_MARKS = {"limit point": ("^", VERMILION), "stability lost": ("o", BLACK), "limit point, located": ("*", VERMILION),
+               "volume turns, located": ("X", VERMILION), "bifurcation, located": ("D", BLACK)}
 
 plt.rcParams.update({
     "font.size": 10, "axes.spines.top": False, "axes.spines.right": False, "axes.grid": True, "grid.color": "#E3E6EA",

@@ -42,3 +42,20 @@ def read_history(path: Path) -> History:
         except ValueError:
             history.words[name] = [value.strip() for value in column]
     return history
+
+
+# Kinds of critical points that are marked in the curves, and what they are called there.
+CRITICAL_MARKS = {"limit_point": "limit point, located", "volume_limit": "volume turns, located",
+                  "bifurcation": "bifurcation, located"}
+
+
+def marked(history: History, critical_points: list[dict]) -> History:
+    """The history with a column of events: the critical points of the journal, each in the row of its step."""
+    steps = {int(step): row for row, step in enumerate(history.numbers.get("step", [])) if np.isfinite(step)}
+    found = [(steps[int(point["step"])], CRITICAL_MARKS[point["kind"]]) for point in critical_points
+             if point.get("kind") in CRITICAL_MARKS and point.get("step") in steps]
+    if found:
+        words = history.words.setdefault("event", [""] * len(history))
+        for row, word in found:
+            words[row] = word
+    return history

@@ -24,7 +24,7 @@ from report import events, loop, models, picture, surface, units, viewer  # noqa
 from report.answer import headline  # noqa: E402
 from report.curves import path_axis  # noqa: E402
 from report.data import read_results  # noqa: E402
-from report.history import History, read_history  # noqa: E402
+from report.history import History, marked, read_history  # noqa: E402
 from report.page import page  # noqa: E402
 from synthetic_results import STEPS, grid_faces, write_results  # noqa: E402
 
@@ -239,6 +239,13 @@ class Events(WithResults):
         self.assertEqual([name for name, _, _ in runs], ["separation", "insufficient", "sufficient", "excessive"])
         self.assertEqual((runs[0][1], runs[-1][2]), (0, STEPS - 1))
         self.assertEqual([e.name for e in events.events(history)].count("stability lost"), 1)
+
+    def test_located_critical_points_are_events_of_their_steps(self):
+        history = History({"step": np.array([1.0, 2, 3]), "pressure_kPa": np.array([1.0, 2, 2.1])})
+        points = [{"kind": "bifurcation", "step": 2.0}, {"kind": "eigenvalue_jump", "step": 3.0},
+                  {"kind": "limit_point", "step": 9.0}]
+        self.assertEqual([(e.index, e.name) for e in events.events(marked(history, points))],
+                         [(1, "bifurcation, located")])
 
 
 class Axes(unittest.TestCase):
