@@ -71,7 +71,7 @@ struct ContactDefaults {
   double friction = 0.3, stiffness = 15, thickness = 0.35, onset = 0.06, penetration_limit = 0.15;
   double elastic_slip = 0.03, viscous_velocity = 100; // mm, mm/s
   int points_per_side = 8, passes = 2;
-  std::vector<std::string> self;
+  std::vector<std::string> self = {"backbone", "balloon"};
 
   template <class Self, class Visitor>
   static void fields(Self &self, Visitor &v)

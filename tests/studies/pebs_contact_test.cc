@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "mesh_study.h"
-#include "solver/equilibrium.h"
+#include "solver/self_penetration.h"
+#include "solver/simulation.h"
 #include "studies/obstacle_gauge.h"
 #include "studies/response_names.h"
 #include <algorithm>
@@ -76,6 +77,25 @@ TEST_CASE("a backbone's contact with itself finds its head on its base: flat, an
   CHECK(touching_head_and_base(model, {0, 0, -height - 0.1}) > 100);
   CHECK(touching_head_and_base(model, {2 * radius - 0.3, 0, -height - 2}) > 0);
   CHECK(touching_head_and_base(model, {2 * radius + 0.1, 0, -height - 2}) == 0);
+}
+
+TEST_CASE("a backbone pulled over sideways comes to rest with its ribs on each other")
+{
+  Study study = short_backbone();
+  study.gravity = {1e6, 0, 0};
+  const SimulationModel model = built(study);
+  const solver::Mesh mesh = solver_mesh(model.mesh);
+  solver::Simulation simulation(model.parameters, mesh, MPI_COMM_SELF);
+  const auto result = simulation.run([](const solver::PathPoint &) { return ""; }, [](const std::string &) {});
+  INFO(result.reason);
+  REQUIRE(result.status == solver::PathStatus::ended);
+  const solver::State &state = simulation.progress().state;
+  const auto contact = simulation.equilibrium().contact(state).at(0);
+  CHECK(contact.normal_force > 0.1);
+  CHECK(contact.penetration < study.contact.penetration_limit);
+  CHECK(solver::SelfPenetration(mesh, model.parameters.contact_pairs[0], study.contact.penetration_limit)
+            .find(state)
+            .empty());
 }
 
 TEST_CASE("only the parts that are named touch themselves, and only what is there")

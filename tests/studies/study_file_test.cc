@@ -153,7 +153,7 @@ TEST_CASE("contradictions between blocks are refused at their key")
       {"[[body]]\nname = \"b\"\nmaterial = \"rubber\"\n", "a physical volume of the mesh"},
       {"[[cavity]]\nsurface = \"x0\"\n[[cavity]]\nsurface = \"x1\"", "one cavity"},
       {"[[cavity]]\nsurface = \"x2\"", "cavity[0].surface: given \"x2\"; allowed: a physical surface"},
-      {"[[response]]\nname = \"r\"", "either surface or point"},
+      {"[[response]]\nname = \"r\"", "either surface, nodes or point"},
       {"[[response]]\nname = \"end\"\nsurface = \"x0\"", "a name of its own"},
       {"[[response]]\nname = \"r\"\nkind = \"max_stress\"\nbody = \"x\"", "[[body]]"},
       {"[[response]]\nname = \"r\"\nkind = \"contact_force\"\npair = \"x\"", "[[contact_pair]]"},
