@@ -23,6 +23,7 @@ void for_each_scalar(Progress &p, const Visit &visit)
   visit("compliance", p.stability.compliance);
   visit("moving", p.regularisation.moving);
   visit("steps_to_rest", p.regularisation.steps_to_rest);
+  visit("pause", p.regularisation.pause);
   visit("rests_to_go", p.regularisation.rests_to_go);
   visit("caution", p.regularisation.caution);
   visit("iterations", p.iterations);

@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "solver/equilibrium.h"
-#include "solver/free_surface.h"
-#include "solver/penetration_check.h"
-#include "solver/rigid_penetration.h"
-#include "solver/self_penetration.h"
+#include "solver/place.h"
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <stdexcept>
 
 namespace ballonet::solver
@@ -24,22 +20,13 @@ const auto &named(const List &list, const std::string &name, const char *what)
   throw std::invalid_argument(std::string("there is no ") + what + " \"" + name + "\"");
 }
 
-template <class List, class Item>
-bool in(const List &list, const Item &item)
-{
-  return std::find(list.begin(), list.end(), item) != list.end();
-}
-
 } // namespace
 
 Equilibrium::Equilibrium(const Parameters &parameters, const Mesh &mesh, MPI_Comm comm)
-    : parameters_(parameters), comm_(comm), discretization_(mesh, comm), system_(discretization_)
+    : parameters_(parameters), comm_(comm), discretization_(mesh, comm), system_(discretization_),
+      contacts_(parameters, discretization_)
 {
   build_bodies();
-  for (const auto &pair : parameters.contact_pairs) {
-    build_contact(pair);
-    n_contact_points_ = contacts_.back()->number_points_from(n_contact_points_);
-  }
   if (parameters.cavity)
     cavity_ = std::make_unique<CavityWork>(discretization_, *parameters.cavity);
 
@@ -47,8 +34,8 @@ Equilibrium::Equilibrium(const Parameters &parameters, const Mesh &mesh, MPI_Com
     works_.push_back(body.get());
   for (const auto &load : loads_)
     works_.push_back(load.get());
-  for (const auto &contact : contacts_)
-    works_.push_back(contact.get());
+  for (auto *contact : contacts_.works())
+    works_.push_back(contact);
   works_.push_back(inertia_.get());
   if (cavity_)
     works_.push_back(cavity_.get());
@@ -59,37 +46,6 @@ Equilibrium::Equilibrium(const Parameters &parameters, const Mesh &mesh, MPI_Com
 }
 
 Equilibrium::~Equilibrium() = default;
-
-void Equilibrium::build_contact(const ContactPair &pair)
-{
-  const Mesh &mesh = discretization_.mesh();
-  const auto owned = [this](std::uint32_t cell) { return discretization_.owns(cell); };
-  for (const RigidBody &body : parameters_.rigid_bodies)
-    if (in(pair.primary, body.name)) {
-      contacts_.push_back(std::make_unique<RigidContactWork>(mesh, pair, body, owned));
-      add_check<RigidPenetration>(mesh, pair, body, pair.penetration_limit);
-      return;
-    }
-  contacts_.push_back(std::make_unique<ContactWork>(mesh, pair, owned));
-  build_checks(pair);
-}
-
-template <class Check, class... Arguments>
-void Equilibrium::add_check(const Arguments &...arguments)
-{
-  checks_.push_back([check = std::make_shared<const Check>(arguments...)](const State &s) { return check->find(s); });
-}
-
-/// For deformable bodies: those on one side of the pair, and those on both.
-void Equilibrium::build_checks(const ContactPair &pair)
-{
-  const Mesh &mesh = discretization_.mesh();
-  const Flags secondary = bodies_of(mesh, pair.secondary), primary = bodies_of(mesh, pair.primary);
-  if (secondary != primary)
-    add_check<PenetrationCheck>(mesh, pair, pair.penetration_limit);
-  if (in(both(secondary, primary), true))
-    add_check<SelfPenetration>(mesh, pair, pair.penetration_limit);
-}
 
 /// The bodies, and what follows from their masses.
 void Equilibrium::build_bodies()
@@ -119,7 +75,7 @@ void Equilibrium::build_loads(const std::vector<double> &mass)
 State Equilibrium::initial_state() const
 {
   const std::vector<double> zeros(3 * discretization_.n_nodes());
-  return {zeros, zeros, zeros, std::vector<double>(3 * n_contact_points_), 0, 0};
+  return {zeros, zeros, zeros, std::vector<double>(3 * contacts_.n_points()), 0, 0};
 }
 
 /// Nodal masses, t, summed over the ranks.
@@ -202,40 +158,13 @@ NewtonSolver::Outcome Equilibrium::solve(State &state, const Step &step, const N
   auto outcome = newton_->solve(end, target);
   if (outcome.converged) {
     inertia_->end_step(end);
-    remember_friction(end);
+    contacts_.end_step(end);
     state = std::move(end);
   } else if (outcome.restless) {
-    outcome.reason += "; what moves most is " + place_of(*outcome.restless, end);
+    outcome.reason +=
+        "; what moves most is " + place_of(discretization_.mesh(), *outcome.restless, end, parameters_.contact_pairs);
   }
   return outcome;
-}
-
-/// A node in words: where it is, in which body, on which surfaces of contact pairs.
-std::string Equilibrium::place_of(Node node, const State &state) const
-{
-  const Mesh &mesh = discretization_.mesh();
-  const auto cell =
-      std::find_if(mesh.cells.begin(), mesh.cells.end(), [&](const auto &nodes) { return in(nodes, node); });
-  std::ostringstream text;
-  text.precision(4);
-  text << "body \"" << mesh.bodies[mesh.cell_body[cell - mesh.cells.begin()]] << "\" at (";
-  for (int d = 0; d < 3; ++d)
-    text << mesh.nodes[node][d] + state.displacement[3 * node + d] << (d < 2 ? ", " : ") mm, element ");
-  text << cell - mesh.cells.begin();
-  for (const auto &pair : parameters_.contact_pairs)
-    for (const Surface &surface : mesh.surfaces)
-      if (in(pair.secondary, surface.name) || in(pair.primary, surface.name))
-        if (const auto nodes = surface_nodes(mesh, surface.name); in(nodes, node))
-          text << ", on \"" << surface.name << "\" of contact pair \"" << pair.name << '"';
-  return text.str();
-}
-
-void Equilibrium::remember_friction(State &end) const
-{
-  end.friction.assign(3 * n_contact_points_, 0.);
-  for (const auto &contact : contacts_)
-    contact->end_step(end);
-  MPI_Allreduce(MPI_IN_PLACE, end.friction.data(), end.friction.size(), MPI_DOUBLE, MPI_SUM, comm_);
 }
 
 /// The tangent of a step of that length that starts at `state`, there.
@@ -296,70 +225,6 @@ std::vector<double> Equilibrium::stresses(const State &state) const
     body->stresses(state, stress);
   MPI_Allreduce(MPI_IN_PLACE, stress.data(), stress.size(), MPI_DOUBLE, MPI_MAX, comm_);
   return stress;
-}
-
-std::vector<ContactSummary> Equilibrium::contact(const State &state) const
-{
-  std::vector<ContactSummary> summaries;
-  for (const auto &contact : contacts_) {
-    auto s = contact->summary(state);
-    std::vector<double> sums = {s.area, static_cast<double>(s.points), s.normal_force};
-    sums.insert(sums.end(), s.secondary_force.begin(), s.secondary_force.end());
-    for (const auto &force : s.primary_force)
-      sums.insert(sums.end(), force.begin(), force.end());
-    MPI_Allreduce(MPI_IN_PLACE, sums.data(), sums.size(), MPI_DOUBLE, MPI_SUM, comm_);
-    MPI_Allreduce(MPI_IN_PLACE, &s.penetration, 1, MPI_DOUBLE, MPI_MAX, comm_);
-    s.area = sums[0];
-    s.points = sums[1];
-    s.normal_force = sums[2];
-    std::copy_n(&sums[3], 3, s.secondary_force.begin());
-    for (std::size_t i = 0; i < s.primary_force.size(); ++i)
-      std::copy_n(&sums[6 + 3 * i], 3, s.primary_force[i].begin());
-    summaries.push_back(s);
-  }
-  return summaries;
-}
-
-std::vector<std::vector<ContactPoint>> Equilibrium::contact_points(const State &state) const
-{
-  std::vector<std::vector<ContactPoint>> points;
-  for (const auto &contact : contacts_)
-    points.push_back(contact->contact_points(state));
-  return points;
-}
-
-/// Contact that a new search finds in a converged state, and that its equations do not know.
-std::string Equilibrium::missed_contact(const State &state, const std::vector<ContactSummary> &summaries) const
-{
-  constexpr double share = 0.02; // of the normal force that is allowed to be missed
-  for (std::size_t i = 0; i < contacts_.size(); ++i) {
-    double missed = contacts_[i]->missed_force(state);
-    MPI_Allreduce(MPI_IN_PLACE, &missed, 1, MPI_DOUBLE, MPI_SUM, comm_);
-    if (missed > share * std::max(summaries[i].normal_force, parameters_.newton.force_floor))
-      return "contact pair \"" + parameters_.contact_pairs[i].name + "\": a new search finds " +
-             std::to_string(missed) + " N more normal force than the present pairs carry";
-  }
-  return {};
-}
-
-std::string Equilibrium::objection(const State &state) const
-{
-  const auto summaries = contact(state);
-  if (const auto missed = missed_contact(state, summaries); !missed.empty())
-    return missed;
-  for (std::size_t i = 0; i < summaries.size(); ++i)
-    if (const auto &pair = parameters_.contact_pairs[i]; summaries[i].penetration > pair.penetration_limit)
-      return "contact pair \"" + pair.name + "\" penetrates by " + std::to_string(summaries[i].penetration) +
-             " mm, allowed are " + std::to_string(pair.penetration_limit);
-  for (const auto &check : checks_)
-    if (const auto violations = check(state); !violations.empty()) {
-      const auto &worst = *std::max_element(violations.begin(), violations.end(),
-                                            [](const auto &a, const auto &b) { return a.depth < b.depth; });
-      return std::to_string(violations.size()) + " nodes lie inside or beyond body \"" + worst.body +
-             "\", the deepest by " + std::to_string(worst.depth) + " mm at (" + std::to_string(worst.position[0]) +
-             ", " + std::to_string(worst.position[1]) + ", " + std::to_string(worst.position[2]) + ") mm";
-    }
-  return {};
 }
 
 } // namespace ballonet::solver

@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
-#include "solver/contact_rigid.h"
-#include "solver/contact_work.h"
+#include "solver/contact_pairs.h"
 #include "solver/elastic_work.h"
 #include "solver/inertia_work.h"
 #include "solver/load_work.h"
 #include "solver/modes.h"
 #include "solver/newton.h"
 #include "solver/parameters.h"
-#include "solver/violation.h"
-#include <functional>
 #include <memory>
 
 namespace ballonet::solver
@@ -42,9 +39,8 @@ public:
   /// is what it was.
   NewtonSolver::Outcome solve(State &state, const Step &step, const NewtonSolver::Target &target);
 
-  /// Why a converged state must not be accepted (contact missed by the pairs of its last search, penetration, a node of
-  /// one body inside another), or an empty string.
-  std::string objection(const State &state) const;
+  /// All contact pairs, and what they say of a state.
+  const ContactPairs &contacts() const { return contacts_; }
 
   /// Lowest natural frequencies and shapes about an equilibrium, which may be unstable (collective). Throws
   /// std::runtime_error when they cannot be found, std::invalid_argument where there is no mass, or no volume to hold.
@@ -63,26 +59,15 @@ public:
   std::vector<double> stresses(const State &state) const;
   /// Force every node receives from outside at equilibrium, N, three per node: reactions of supports.
   std::vector<double> reactions(const State &state) const { return newton_->forces(state); }
-  /// What each contact pair transmits, summed over the ranks.
-  std::vector<ContactSummary> contact(const State &state) const;
-  /// Points in contact of each pair, this rank's part.
-  std::vector<std::vector<ContactPoint>> contact_points(const State &state) const;
 
 private:
   void build_bodies();
-  void build_contact(const ContactPair &);
-  void build_checks(const ContactPair &);
-  template <class Check, class... Arguments>
-  void add_check(const Arguments &...arguments);
   void build_loads(const std::vector<double> &mass);
   std::vector<double> total_mass() const;
   std::vector<double> nodal_volumes() const;
   void factorise_tangent(const State &state, double dt);
   bool moves_a_support() const;
-  void remember_friction(State &end) const;
-  std::string place_of(Node node, const State &state) const;
   Prescribed prescribed(double load_factor) const;
-  std::string missed_contact(const State &, const std::vector<ContactSummary> &) const;
 
   const Parameters &parameters_;
   MPI_Comm comm_;
@@ -92,12 +77,9 @@ private:
   std::vector<std::unique_ptr<VirtualWork>> loads_;
   std::unique_ptr<CavityWork> cavity_;
   std::unique_ptr<InertiaWork> inertia_;
-  std::vector<std::unique_ptr<Contact>> contacts_;
-  /// Each finds the nodes that must not be where they are; of the contact pairs.
-  std::vector<std::function<std::vector<Violation>(const State &)>> checks_;
+  ContactPairs contacts_;
   std::vector<VirtualWork *> works_; ///< all of the above
   std::unique_ptr<NewtonSolver> newton_;
-  std::size_t n_contact_points_ = 0; ///< of all pairs and ranks
 };
 
 } // namespace ballonet::solver

@@ -107,7 +107,7 @@ NewtonSolver::Outcome PathFollower::solve(PathProgress &progress, State &state, 
   progress.iterations += outcome.iterations();
   progress.factorisations += outcome.factorisations;
   if (outcome.converged)
-    outcome.reason = equilibrium_.objection(state);
+    outcome.reason = equilibrium_.contacts().objection(state);
   outcome.converged = outcome.reason.empty();
   return outcome;
 }
@@ -169,7 +169,8 @@ void PathFollower::find_critical_points(const Station &before, NewtonSolver::Pre
 void PathFollower::branch_off(const CriticalPoint &from, PathProgress &progress, PathPoint &point, const Log &log)
 {
   auto branch = search_.branch_off(from, path_.branch_amplitude);
-  const std::string objection = branch ? equilibrium_.objection(branch->state) : "no equilibrium is found there";
+  const std::string objection =
+      branch ? equilibrium_.contacts().objection(branch->state) : "no equilibrium is found there";
   if (!objection.empty()) {
     log("branch_amplitude: the path stays on its branch: " + objection);
     return;

@@ -18,7 +18,9 @@ void Regularisation::set_in_motion(int rest_every)
 
 void Regularisation::sought_rest(bool found, int rest_every)
 {
-  steps_to_rest = rest_every;
+  constexpr int most = 8;
+  pause = found ? 1 : std::min(2 * pause, most);
+  steps_to_rest = pause * rest_every;
   if (found)
     moving = --rests_to_go > 0;
 }

@@ -13,6 +13,7 @@ struct Regularisation {
   int steps_to_rest = 0; ///< in motion, before the next search for rest
   int rests_to_go = 0;   ///< to be found before the next static step
   int caution = 1;       ///< their number next time
+  int pause = 1;         ///< how many times longer than usual the search for rest waits: doubled with each in vain
 
   bool seeks_rest() const { return moving && steps_to_rest <= 0; }
 

@@ -72,7 +72,7 @@ PebsShapeGauge::Touch PebsShapeGauge::touch(const solver::State &state, const so
   double force = 0;
   std::vector<char> mark(model_.mesh.cells.size(), 0);
   const auto &pairs = model_.parameters.contact_pairs;
-  const auto points = equilibrium.contact_points(state);
+  const auto points = equilibrium.contacts().points(state);
   for (std::size_t i = 0; i < pairs.size(); ++i)
     if (pairs[i].name == cage_pair)
       for (const solver::ContactPoint &point : points[i]) {

@@ -20,7 +20,7 @@ void ObstacleGauge::measure(const solver::PathPoint &point, const solver::Equili
 {
   if (obstacles_.empty())
     return;
-  const auto contacts = equilibrium.contact(point.progress.state);
+  const auto contacts = equilibrium.contacts().summaries(point.progress.state);
   for (const auto &[column, pair] : obstacles_) {
     const solver::Vector3 &force = contacts[pair].secondary_force;
     row.emplace_back(column, symmetric_ ? 2 * std::hypot(force[0], force[2]) // y is cancelled by the mirror image

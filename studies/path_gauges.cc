@@ -52,7 +52,7 @@ void NumericsGauge::measure(const solver::PathPoint &point, const solver::Equili
   row.emplace_back("factorisations", factorisations);
   row.emplace_back("cuts", cuts);
   row.emplace_back("residual", point.newton.residuals.back());
-  if (const auto contacts = equilibrium.contact(point.progress.state); !contacts.empty()) {
+  if (const auto contacts = equilibrium.contacts().summaries(point.progress.state); !contacts.empty()) {
     double deepest = 0;
     for (const solver::ContactSummary &contact : contacts)
       deepest = std::max(deepest, contact.penetration);

@@ -84,7 +84,7 @@ double ResponseGauge::value(const Target &target, const solver::PathPoint &point
   case Kind::reaction:
     return component(sum_over(target.nodes, equilibrium.reactions(state)), axis);
   case Kind::contact_force:
-    return component(equilibrium.contact(state).at(target.pair).secondary_force, axis);
+    return component(equilibrium.contacts().summaries(state).at(target.pair).secondary_force, axis);
   case Kind::volume:
     return point.progress.volume;
   case Kind::pressure:

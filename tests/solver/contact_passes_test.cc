@@ -162,7 +162,7 @@ TEST_CASE("a bar that slips between the points of a coarse plate with one pass i
   const auto ended = follow(held);
   INFO(ended.reason);
   CHECK(ended.status == PathStatus::ended);
-  const auto contact = held.equilibrium().contact(held.progress().state)[0];
+  const auto contact = held.equilibrium().contacts().summaries(held.progress().state)[0];
   CHECK(contact.penetration < two.parameters.contact_pairs[0].penetration_limit);
   CHECK(contact.secondary_force[2] < -0.1);
 }

@@ -18,7 +18,7 @@ TEST_CASE("a state whose contact the present pairs do not know is objected to, w
   Equilibrium equilibrium(parameters, scene.mesh, MPI_COMM_SELF);
   State state = equilibrium.initial_state();
   REQUIRE(equilibrium.solve(state, {.dt = 1}, {}).converged);
-  CHECK(equilibrium.objection(state) == "");
+  CHECK(equilibrium.contacts().objection(state) == "");
   const State touching = with_plate_moved(scene, Vector({0, 0, -1.1})); // within all limits of penetration
-  CHECK_THAT(equilibrium.objection(touching), Catch::Contains("a new search finds"));
+  CHECK_THAT(equilibrium.contacts().objection(touching), Catch::Contains("a new search finds"));
 }

@@ -21,7 +21,7 @@ struct InflatedTube {
     path = std::make_unique<Simulation>(tube.parameters, tube.mesh, MPI_COMM_SELF);
     run_to_end(*path);
     state = path->progress().state;
-    REQUIRE(path->equilibrium().contact(state)[0].points > 0);
+    REQUIRE(path->equilibrium().contacts().summaries(state)[0].points > 0);
   }
 };
 

@@ -159,10 +159,10 @@ TEST_CASE("path: one and two ranks go the same way", "[mpi]")
                                   << b.progress.state.pressure);
   CHECK(difference < 1e-8);
   CHECK(b.progress.state.pressure == Approx(a.progress.state.pressure).epsilon(1e-8));
-  const auto contact = alone.equilibrium().contact(a.progress.state);
+  const auto contact = alone.equilibrium().contacts().summaries(a.progress.state);
   INFO("contact points " << contact[0].points);
   CHECK(contact[0].points > 0); // the case has contact at its end
-  CHECK(together.equilibrium().contact(b.progress.state)[0].points == contact[0].points);
+  CHECK(together.equilibrium().contacts().summaries(b.progress.state)[0].points == contact[0].points);
 }
 
 TEST_CASE("path: interrupted and resumed, it ends where the whole one ends")

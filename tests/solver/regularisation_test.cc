@@ -77,6 +77,9 @@ TEST_CASE("regularisation: static steps are tried again after the more rests the
   r.sought_rest(false, 3);
   CHECK(r.moving);
   r.moved(), r.moved(), r.moved();
+  CHECK_FALSE(r.seeks_rest()); // the search waits twice as long after one in vain
+  r.moved(), r.moved(), r.moved();
+  CHECK(r.seeks_rest());
   r.sought_rest(true, 3);
   CHECK_FALSE(r.moving);
 }

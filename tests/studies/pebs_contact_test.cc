@@ -90,7 +90,7 @@ TEST_CASE("a backbone pulled over sideways comes to rest with its ribs on each o
   INFO(result.reason);
   REQUIRE(result.status == solver::PathStatus::ended);
   const solver::State &state = simulation.progress().state;
-  const auto contact = simulation.equilibrium().contact(state).at(0);
+  const auto contact = simulation.equilibrium().contacts().summaries(state).at(0);
   CHECK(contact.normal_force > 0.1);
   CHECK(contact.penetration < study.contact.penetration_limit);
   CHECK(solver::SelfPenetration(mesh, model.parameters.contact_pairs[0], study.contact.penetration_limit)

@@ -88,12 +88,12 @@ TEST_CASE("contact patch test: two pressed blocks")
 
   const double exact = exact_pressure(pair);
   double low = infinity, high = 0, off_law = 0;
-  const auto points = equilibrium.contact_points(state);
+  const auto points = equilibrium.contacts().points(state);
   for (const auto &point : points[0]) {
     low = std::min(low, point.pressure), high = std::max(high, point.pressure);
     off_law = std::max(off_law, std::abs(point.penetration - penetration(point.pressure, pair)));
   }
-  const auto summary = equilibrium.contact(state)[0];
+  const auto summary = equilibrium.contacts().summaries(state)[0];
   const char *source = "closed form: two bars and the contact law in series";
   compare(
       {"contact patch test: mean pressure", source, exact, -summary.primary_force[0][2] / (side * side), 1e-2, "MPa"});

@@ -57,7 +57,7 @@ Parameters pressed(const Ground &ground, double c10 = 0.2)
 /// The tangential force on the ground along the block's motion, N.
 double drag(const StagedAssembly &assembly)
 {
-  return assembly.equilibrium().contact(assembly.state)[0].primary_force[0][0];
+  return assembly.equilibrium().contacts().summaries(assembly.state)[0].primary_force[0][0];
 }
 
 } // namespace
@@ -76,7 +76,7 @@ TEST_CASE("friction: a sliding block is held back by mu N")
       assembly.parameters.supports[1].move[0] = 0.25 * i;
       assembly.step(0.25);
     }
-    const auto contact = assembly.equilibrium().contact(assembly.state)[0];
+    const auto contact = assembly.equilibrium().contacts().summaries(assembly.state)[0];
     const std::string name = ground.name;
     const char *coulomb = "Coulomb's law, mu N";
     compare({"friction: normal force under a block" + name, "equilibrium", normal_force, contact.secondary_force[2],

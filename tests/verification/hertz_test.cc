@@ -81,7 +81,7 @@ Contact press(const Mesh &mesh, const Parameters &parameters)
 {
   Simulation simulation(parameters, mesh, MPI_COMM_SELF);
   run_to_end(simulation);
-  return measured(simulation.equilibrium().contact_points(simulation.progress().state)[0]);
+  return measured(simulation.equilibrium().contacts().points(simulation.progress().state)[0]);
 }
 
 } // namespace

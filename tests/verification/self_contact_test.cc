@@ -79,7 +79,7 @@ Closed close(const Mesh &mesh, const Parameters &parameters)
   const auto &state = simulation.progress().state;
   const auto forces = simulation.equilibrium().reactions(state);
   Closed closed;
-  closed.contact = simulation.equilibrium().contact(state)[0];
+  closed.contact = simulation.equilibrium().contacts().summaries(state)[0];
   for (const auto node : surface_nodes(mesh, "fold.x0"))
     for (int d = 0; d < 3; ++d)
       closed.reaction[d] += forces[3 * node + d];

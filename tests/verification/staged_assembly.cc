@@ -21,7 +21,7 @@ void StagedAssembly::step(double dt)
   const auto outcome = equilibrium_->solve(state, {.dt = dt}, {});
   INFO(outcome.reason << ", last residual " << outcome.residuals.back());
   REQUIRE(outcome.converged);
-  REQUIRE(equilibrium_->objection(state) == "");
+  REQUIRE(equilibrium_->contacts().objection(state) == "");
   state.time += dt;
 }
 
