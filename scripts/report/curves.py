@@ -61,7 +61,10 @@ def pressure_angle(best: Evaluation, others: list[Evaluation], window_end: float
 
 def _mark_events(axes, history: History, x: np.ndarray, y: np.ndarray) -> None:
     named: set[str] = set()
+    located = {event.index for event in events(history) if event.name.endswith("located")}
     for event in events(history):
+        if event.name == "stability lost" and event.index in located:
+            continue  # the located point says the same, and why
         marker, colour = EVENT_MARKS.get(event.name, ("s", COLOURS[3]))
         axes.plot(x[event.index], y[event.index], marker, color=colour, mec="white", ms=8, zorder=5,
                   label="" if event.name in named else event.name)

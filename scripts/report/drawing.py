@@ -16,7 +16,7 @@ COLOURS = (BLUE, VERMILION, GREEN, ORANGE, PURPLE, SKY, BLACK)
 FAINT = "#9AA5B1"
 INK = "#3A444E"
 STAGE_TINTS = {"separation": "#F2F4F6", "insufficient": "#FBE9C6", "sufficient": "#BFDDF0", "excessive": "#E9B79C"}
-EVENT_MARKS = {"limit point": ("^", VERMILION), "stability lost": ("o", BLACK), "limit point, located": ("*", VERMILION),
+EVENT_MARKS = {"limit point": ("^", VERMILION), "stability lost": ("o", BLACK), "limit point, located": ("v", VERMILION),
                "volume turns, located": ("X", VERMILION), "bifurcation, located": ("D", BLACK)}
 
 plt.rcParams.update({
