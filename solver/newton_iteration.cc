@@ -271,7 +271,9 @@ SNESConvergedReason NewtonSolver::Implementation::judge(int iteration)
     outcome.reason = *reason;
     return SNES_DIVERGED_LINE_SEARCH;
   }
-  if (iteration >= (target.patience > 0 ? target.patience : parameters.max_iterations)) {
+  constexpr double promising = 1e-2;
+  const bool in_a_hurry = target.patience > 0 && relative > promising;
+  if (iteration >= (in_a_hurry ? target.patience : parameters.max_iterations)) {
     outcome.reason = "no convergence within newton.max_iterations";
     return SNES_DIVERGED_MAX_IT;
   }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "mesh_study.h"
+#include "solver/contact_work.h"
 #include "solver/self_penetration.h"
 #include "solver/simulation.h"
 #include "studies/obstacle_gauge.h"
