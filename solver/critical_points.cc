@@ -101,10 +101,8 @@ const char *word_of(CriticalKind kind)
 std::optional<Station> CriticalPointSearch::solve(State state, const Step &step, const NewtonSolver::Target &target)
 {
   const auto outcome = equilibrium_.solve(state, step, target);
-  factorisations_ += outcome.factorisations;
   if (!outcome.converged)
     return {};
-  ++factorisations_;
   const Stability stability = equilibrium_.stability(state);
   return Station{std::move(state), outcome.volume, stability};
 }
@@ -162,7 +160,6 @@ CriticalPoint CriticalPointSearch::describe(const End &a, const End &b, const En
 {
   constexpr double widest = 0.125, still = 0.25; // change over so small a part of the step, of that over all of it
   const CriticalMode critical(equilibrium_, a, b);
-  factorisations_ += 5;
   CriticalPoint point;
   point.state = a.state;
   point.mode = critical.shape();

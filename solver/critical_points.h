@@ -59,9 +59,6 @@ public:
   /// and volume follow. Nothing when none is found.
   std::optional<Station> branch_off(const CriticalPoint &point, double amplitude);
 
-  /// Spent by all calls.
-  int factorisations() const { return factorisations_; }
-
 private:
   struct End : Station {
     double place = 0; ///< between the two equilibria: 0 to 1
@@ -76,7 +73,6 @@ private:
 
   Equilibrium &equilibrium_;
   double tolerance_;
-  int factorisations_ = 0;
 };
 
 } // namespace ballonet::solver

@@ -33,6 +33,7 @@ public:
   /// jump).
   void release(State &state);
   const Discretization &discretization() const { return discretization_; }
+  int factorisations() const { return system_.factorisations(); } ///< so far
   bool has_cavity() const { return cavity_ != nullptr; }
 
   /// Balances `state` at the end of a step that starts there, velocity and acceleration included. On failure `state`

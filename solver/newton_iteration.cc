@@ -255,6 +255,15 @@ bool NewtonSolver::Implementation::prescribed_is_met() const
   return parameter_miss == 0 || !cavity;
 }
 
+/// A step that motion can take over must come down to a residual of 0.3 within its patience, at a pace that shows
+/// from four iterations before on.
+bool NewtonSolver::Implementation::has_no_patience(int iteration, double relative) const
+{
+  constexpr double enough = 0.3, pace = 0.4;
+  const int left = target.patience - iteration;
+  return target.patience > 0 && left <= 4 && relative > enough * std::pow(pace, -left);
+}
+
 SNESConvergedReason NewtonSolver::Implementation::judge(int iteration)
 {
   const double relative = residual_norm / force_scale;
@@ -271,10 +280,9 @@ SNESConvergedReason NewtonSolver::Implementation::judge(int iteration)
     outcome.reason = *reason;
     return SNES_DIVERGED_LINE_SEARCH;
   }
-  constexpr double promising = 1e-2;
-  const bool in_a_hurry = target.patience > 0 && relative > promising;
-  if (iteration >= (in_a_hurry ? target.patience : parameters.max_iterations)) {
-    outcome.reason = "no convergence within newton.max_iterations";
+  if (iteration >= parameters.max_iterations || has_no_patience(iteration, relative)) {
+    outcome.reason =
+        target.patience > 0 ? "no equilibrium is found in time" : "no convergence within newton.max_iterations";
     return SNES_DIVERGED_MAX_IT;
   }
   return SNES_CONVERGED_ITERATING;

@@ -63,6 +63,7 @@ struct NewtonSolver::Implementation : SnesIteration {
   void assemble_residual();
   double search(const std::vector<double> &increment, double parameter_increment);
   bool prescribed_is_met() const;
+  bool has_no_patience(int iteration, double relative) const;
   SNESConvergedReason judge(int iteration) override;
   void begin_iteration(int iteration);
 };

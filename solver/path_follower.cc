@@ -155,14 +155,14 @@ void PathFollower::look_at_stability(PathProgress &progress, PathPoint &point)
 void PathFollower::find_critical_points(const Station &before, NewtonSolver::Prescribe what, PathProgress &progress,
                                         PathPoint &point, const Log &log)
 {
-  const int spent = search_.factorisations();
+  const int spent = equilibrium_.factorisations();
   point.critical_points =
       search_.between(before, {progress.state, progress.volume, progress.stability}, what, progress.step, log);
   const auto bifurcation = std::find_if(point.critical_points.begin(), point.critical_points.end(),
                                         [](const CriticalPoint &p) { return p.kind == CriticalKind::bifurcation; });
   if (path_.branch_amplitude > 0 && bifurcation != point.critical_points.end())
     branch_off(*bifurcation, progress, point, log);
-  progress.factorisations += search_.factorisations() - spent;
+  progress.factorisations += equilibrium_.factorisations() - spent;
 }
 
 /// The state before the bifurcation and the one on the branch are as a step of the path.

@@ -59,7 +59,7 @@ TEST_CASE("Newton's method converges quadratically in a smooth step")
     tube.parameters.contact_pairs.clear();
     auto &path = tube.parameters.path;
     path.volume_max = 1.5, path.step_initial = path.step_max = 0.2; // one large step
-    tube.parameters.newton = {.tolerance = 1e-12, .force_floor = 1, .reuse_below = 0};
+    tube.parameters.newton = {.tolerance = 1e-12, .force_floor = 1, .krylov_below = 0, .reuse_below = 0};
     check_order(mixed ? "mixed form" : "displacement form", last_step(tube.parameters, tube.mesh));
   }
 }
@@ -68,6 +68,6 @@ TEST_CASE("Newton's method converges quadratically in contact")
 {
   SealedTube tube;
   tube.parameters.materials[0].d1 = 2;
-  tube.parameters.newton = {.tolerance = 1e-12, .force_floor = 1, .reuse_below = 0};
+  tube.parameters.newton = {.tolerance = 1e-12, .force_floor = 1, .krylov_below = 0, .reuse_below = 0};
   check_order("with frictional contact", last_step(tube.parameters, tube.mesh));
 }
