@@ -29,7 +29,7 @@ public:
     /// Of a step of prescribed arc length, three per node: where it goes, from where the iteration starts. Empty: along
     /// the path's tangent.
     std::span<const double> direction = {};
-    int patience = 0; ///< iterations; 0: newton.max_iterations
+    int patience = 0; ///< iterations in which the residual must come down to 0.3; 0: no such demand
   };
   struct Outcome {
     bool converged = false;
