@@ -11,14 +11,6 @@ namespace
 
 using Rule = dealii::Quadrature<1>;
 
-PatchNodes face_at_rest(const Mesh &mesh, const Face &face)
-{
-  PatchNodes nodes;
-  for (int a = 0; a < 9; ++a)
-    nodes[a] = ReferencePosition{mesh}(mesh.cells[face.cell][columns_behind(face.local)[3 * a]]);
-  return nodes;
-}
-
 double area_density(const PatchNodes &nodes, const Parameters2 &xi)
 {
   const PatchPoint p = patch_point(nodes, xi);

@@ -184,4 +184,12 @@ NodeWeights node_weights(const Patch &patch, const std::array<double, 9> &shapes
   return weights;
 }
 
+PatchNodes face_at_rest(const Mesh &mesh, const Face &face)
+{
+  PatchNodes nodes;
+  for (int a = 0; a < 9; ++a)
+    nodes[a] = ReferencePosition{mesh}(mesh.cells[face.cell][columns_behind(face.local)[3 * a]]);
+  return nodes;
+}
+
 } // namespace ballonet::solver::contact

@@ -45,6 +45,9 @@ struct ReferencePosition {
   Point3 operator()(Node n) const { return Point3({mesh.nodes[n][0], mesh.nodes[n][1], mesh.nodes[n][2]}); }
 };
 
+/// The nine nodes of a face at rest.
+PatchNodes face_at_rest(const Mesh &mesh, const Face &face);
+
 /// A nodal vector field, three values per node.
 struct NodalField {
   std::span<const double> values;

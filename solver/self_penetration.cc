@@ -17,14 +17,6 @@ std::vector<std::string> joined(std::vector<std::string> names, const std::vecto
   return names;
 }
 
-PatchNodes face_at_rest(const Mesh &mesh, const Face &face)
-{
-  PatchNodes nodes;
-  for (int a = 0; a < 9; ++a)
-    nodes[a] = ReferencePosition{mesh}(mesh.cells[face.cell][columns_behind(face.local)[3 * a]]);
-  return nodes;
-}
-
 } // namespace
 
 /// In a tree.

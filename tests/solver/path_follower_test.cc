@@ -31,15 +31,6 @@ Followed follow(Simulation &simulation)
   return followed;
 }
 
-double largest_difference(const std::vector<double> &a, const std::vector<double> &b)
-{
-  REQUIRE(a.size() == b.size());
-  double largest = 0;
-  for (std::size_t i = 0; i < a.size(); ++i)
-    largest = std::max(largest, std::abs(a[i] - b[i]));
-  return largest;
-}
-
 /// A thin bar above the middle of a coarse plate, driven down through it between the contact points of one pass.
 struct BarThroughPlate {
   Mesh mesh;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "solver/simulation.h"
+#include "tests/support/nodal_fields.h"
 #include "tests/support/shallow_arch.h"
 #include <catch2/catch.hpp>
 #include <filesystem>
@@ -9,15 +10,6 @@ using namespace ballonet::tests;
 
 namespace
 {
-
-double largest_difference(const std::vector<double> &a, const std::vector<double> &b)
-{
-  REQUIRE(a.size() == b.size());
-  double largest = 0;
-  for (std::size_t i = 0; i < a.size(); ++i)
-    largest = std::max(largest, std::abs(a[i] - b[i]));
-  return largest;
-}
 
 struct Row {
   bool at_rest;

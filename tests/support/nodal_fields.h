@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
+#include "solver/parameters.h"
 #include "solver/types.h"
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <span>
@@ -17,6 +19,15 @@ inline std::vector<double> random_field(std::size_t size, double scale, unsigned
   for (double &v : field)
     v = value(generator);
   return field;
+}
+
+/// Infinity for fields of different sizes.
+inline double largest_difference(std::span<const double> a, std::span<const double> b)
+{
+  double largest = a.size() == b.size() ? 0 : solver::infinity;
+  for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
+    largest = std::max(largest, std::abs(a[i] - b[i]));
+  return largest;
 }
 
 inline solver::State moved(solver::State state, std::span<const double> by, double fraction)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "tests/support/comparison.h"
-#include "tests/support/round_mesh.h"
+#include "tests/support/rubber_sphere.h"
 #include "tests/support/run_to_end.h"
 #include "tests/support/thick_wall.h"
 #include <cmath>
@@ -13,18 +13,9 @@ namespace
 
 constexpr double A = inner_radius, B = outer_radius;
 
-struct Sphere {
-  Mesh mesh = eighth_sphere(A, B, 2, 2);
-  Parameters parameters;
-
-  Sphere()
+struct Sphere : RubberSphere {
+  Sphere() : RubberSphere(A, B, wall_mu)
   {
-    parameters.materials.resize(1);
-    auto &m = parameters.materials[0];
-    m.name = "rubber", m.c10 = wall_mu / 2, m.d1 = 2 / (1e6 * wall_mu);
-    parameters.bodies = {{"body", "rubber", true}};
-    parameters.supports = {{"x0", {"x"}}, {"y0", {"y"}}, {"z0", {"z"}}};
-    parameters.newton.force_floor = 1e-3;
     parameters.path.control = Control::arc_length;
     parameters.path.inertia = false;
     parameters.path.arc_step_max = 0.05;

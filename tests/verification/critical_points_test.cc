@@ -3,6 +3,7 @@
 #include "tests/support/box_mesh.h"
 #include "tests/support/comparison.h"
 #include "tests/support/round_mesh.h"
+#include "tests/support/rubber_sphere.h"
 #include "tests/support/thick_wall.h"
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -39,18 +40,10 @@ Found follow(const Parameters &parameters, const Mesh &mesh)
 }
 
 /// A thick neo-Hookean sphere blown up by its volume through the limit of its pressure.
-struct Sphere {
-  Mesh mesh = eighth_sphere(inner_radius, outer_radius, 2, 2);
-  Parameters parameters;
-  Sphere()
+struct Sphere : RubberSphere {
+  Sphere() : RubberSphere(inner_radius, outer_radius, wall_mu)
   {
-    parameters.materials.resize(1);
-    auto &rubber = parameters.materials[0];
-    rubber.name = "rubber", rubber.c10 = wall_mu / 2, rubber.d1 = 2e-6 / wall_mu;
-    parameters.bodies = {{"body", "rubber", true}};
-    parameters.supports = {{"x0", {"x"}}, {"y0", {"y"}}, {"z0", {"z"}}};
     parameters.cavity = Cavity{"inner"};
-    parameters.newton = {.tolerance = 1e-8, .force_floor = 1e-3};
     auto &path = parameters.path;
     path.critical_points = CriticalPoints::locate;
     path.volume_rate = 1, path.step_initial = 0.2, path.step_max = 0.5, path.volume_max = 6;

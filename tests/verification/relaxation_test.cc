@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "solver/simulation.h"
 #include "tests/support/comparison.h"
-#include "tests/support/round_mesh.h"
+#include "tests/support/rubber_sphere.h"
 #include "tests/support/thick_wall.h"
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -13,19 +13,11 @@ namespace
 {
 
 /// A thick neo-Hookean sphere whose viscosity doubles its pressure in a step from V0 to 2 V0 within 20 ms.
-struct ViscousSphere {
-  Mesh mesh = eighth_sphere(inner_radius, outer_radius, 2, 2);
-  Parameters parameters;
-  ViscousSphere()
+struct ViscousSphere : RubberSphere {
+  ViscousSphere() : RubberSphere(inner_radius, outer_radius, wall_mu)
   {
-    parameters.materials.resize(1);
-    auto &rubber = parameters.materials[0];
-    rubber.name = "rubber", rubber.c10 = wall_mu / 2, rubber.d1 = 2e-6 / wall_mu;
-    rubber.density = 1e-9, rubber.relaxation_time = 0.02;
-    parameters.bodies = {{"body", "rubber", true}};
-    parameters.supports = {{"x0", {"x"}}, {"y0", {"y"}}, {"z0", {"z"}}};
+    parameters.materials[0].density = 1e-9, parameters.materials[0].relaxation_time = 0.02;
     parameters.cavity = Cavity{"inner"};
-    parameters.newton = {.tolerance = 1e-8, .force_floor = 1e-3};
   }
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "solver/equilibrium.h"
 #include "tests/support/comparison.h"
-#include "tests/support/round_mesh.h"
+#include "tests/support/rubber_sphere.h"
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -32,18 +32,11 @@ double radial_omega_squared(double a)
   return slope / (density * a * (1 - a / outer_radius(a)));
 }
 
-struct Sphere {
-  Mesh mesh = eighth_sphere(A, B, 2, 2);
-  Parameters parameters;
-  Sphere()
+struct Sphere : RubberSphere {
+  Sphere() : RubberSphere(A, B, mu)
   {
-    parameters.materials.resize(1);
-    auto &rubber = parameters.materials[0];
-    rubber.name = "rubber", rubber.c10 = mu / 2, rubber.d1 = 2e-6 / mu, rubber.density = density;
-    parameters.bodies = {{"body", "rubber", true}};
-    parameters.supports = {{"x0", {"x"}}, {"y0", {"y"}}, {"z0", {"z"}}};
+    parameters.materials[0].density = density;
     parameters.cavity = Cavity{"inner"};
-    parameters.newton = {.tolerance = 1e-8, .force_floor = 1e-3};
   }
 };
 
