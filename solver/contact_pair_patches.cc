@@ -60,9 +60,10 @@ std::vector<Patch> patches_of_pair(const Mesh &mesh, const ContactPair &pair)
   for (Patch &patch : patches)
     patch.points = gauss_points(mesh, patch, pair.points_per_side, share(patch));
   const auto n_secondary = static_cast<std::uint32_t>(patches.size());
+  const double spacing = pair.point_spacing > 0 ? pair.point_spacing : pair.thickness / 2;
   for (Patch &patch : primary) {
     if (pair.passes == 2)
-      patch.points = points_with_edges(mesh, patch, pair.thickness / 2, share(patch));
+      patch.points = points_with_edges(mesh, patch, spacing, share(patch));
     for (auto &neighbour : patch.neighbour)
       if (neighbour)
         neighbour->patch += n_secondary;

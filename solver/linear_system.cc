@@ -10,20 +10,6 @@ namespace ballonet::solver
 namespace
 {
 
-/// Options MUMPS takes only from the options database (PETSc 3.18).
-void set_mumps_options()
-{
-  const std::pair<const char *, const char *> options[] = {{"icntl_4", "0"},   // silent
-                                                           {"icntl_6", "0"},   // no permutation to a heavy diagonal
-                                                           {"icntl_7", "2"},   // ordering: approximate minimum fill
-                                                           {"icntl_8", "0"},   // no scaling: definite, units alike
-                                                           {"icntl_12", "1"},  // plain symmetric ordering
-                                                           {"icntl_14", "80"}, // % of extra working space
-                                                           {"cntl_1", "0"}};   // pivots in order: faster by 8 %
-  for (const auto &[key, value] : options)
-    petsc(PetscOptionsSetValue(nullptr, (std::string("-ballonet_mat_mumps_") + key).c_str(), value));
-}
-
 std::vector<PetscInt> blocks(const Discretization &discretization, std::span<const Node> nodes)
 {
   std::vector<PetscInt> result;
@@ -89,7 +75,6 @@ private:
 LinearSystem::LinearSystem(const Discretization &discretization)
     : discretization_(discretization), prescribed_(3 * discretization.n_nodes(), std::nan("")), pattern_(discretization)
 {
-  set_mumps_options();
   lift_ = create_vector();
   Vec vector = create_vector();
   petsc(VecScatterCreateToAll(vector, &to_all_, &sequential_));
@@ -99,8 +84,6 @@ LinearSystem::LinearSystem(const Discretization &discretization)
 LinearSystem::~LinearSystem()
 {
   MatDestroy(&matrix_);
-  KSPDestroy(&krylov_);
-  PCDestroy(&factor_);
   VecDestroy(&lift_);
   VecDestroy(&sequential_);
   VecScatterDestroy(&to_all_);
@@ -133,7 +116,6 @@ void LinearSystem::rebuild_pattern()
     std::sort(columns[row - first].begin(), columns[row - first].end());
   }
   petsc(MatDestroy(&matrix_));
-  petsc(PCDestroy(&factor_));
   petsc(MatCreateSBAIJ(discretization_.comm(), 3, 3 * (last - first), 3 * (last - first), PETSC_DETERMINE,
                        PETSC_DETERMINE, 0, diagonal.data(), 0, off.data(), &matrix_));
   petsc(MatSetOption(matrix_, MAT_IGNORE_LOWER_TRIANGULAR, PETSC_TRUE));
@@ -145,28 +127,8 @@ void LinearSystem::rebuild_pattern()
   petsc(MatAssemblyBegin(matrix_, MAT_FINAL_ASSEMBLY));
   petsc(MatAssemblyEnd(matrix_, MAT_FINAL_ASSEMBLY));
   petsc(MatSetOption(matrix_, MAT_NEW_NONZERO_LOCATION_ERR, PETSC_TRUE));
-
-  petsc(PCCreate(discretization_.comm(), &factor_));
-  petsc(PCSetOptionsPrefix(factor_, "ballonet_"));
-  petsc(PCSetType(factor_, PCCHOLESKY));
-  petsc(PCSetOperators(factor_, matrix_, matrix_));
-  petsc(PCFactorSetMatSolverType(factor_, MATSOLVERMUMPS));
-  petsc(PCSetFromOptions(factor_));
-  petsc(PCFactorSetUpMatSolverType(factor_));
-  create_krylov();
+  factor_.set_matrix(matrix_);
   pattern_changed_ = false;
-}
-
-void LinearSystem::create_krylov()
-{
-  constexpr double tolerance = 1e-4;  // keeps Newton's pace
-  constexpr int most_iterations = 12; // cost as much as a factorisation
-  petsc(KSPDestroy(&krylov_));
-  petsc(KSPCreate(discretization_.comm(), &krylov_));
-  petsc(KSPSetType(krylov_, KSPGMRES));
-  petsc(KSPSetPC(krylov_, factor_));
-  petsc(KSPSetOperators(krylov_, matrix_, matrix_));
-  petsc(KSPSetTolerances(krylov_, tolerance, PETSC_DEFAULT, PETSC_DEFAULT, most_iterations));
 }
 
 template <class Visit>
@@ -230,58 +192,24 @@ void LinearSystem::sum_tangents(const std::vector<VirtualWork *> &works, const S
   petsc(VecAssemblyEnd(lift_));
 }
 
-bool LinearSystem::factorise_sum()
-{
-  preconditions_ = false;
-  ++factorisations_;
-  petsc(PCSetReusePreconditioner(factor_, PETSC_FALSE));
-  petsc(PCSetUp(factor_));
-  Mat factor;
-  petsc(PCFactorGetMatrix(factor_, &factor));
-  PetscInt info;
-  petsc(MatMumpsGetInfog(factor, 1, &info));
-  if (info < 0)
-    return false;
-  petsc(MatMumpsGetInfog(factor, 12, &info));
-  negative_pivots_ = info;
-  return true;
-}
-
 bool LinearSystem::factorise(const std::vector<VirtualWork *> &works, const State &state)
 {
   if (pattern_changed_)
     rebuild_pattern();
   sum_tangents(works, state);
-  return factorise_sum();
+  return factor_.compute();
 }
 
 void LinearSystem::precondition(const std::vector<VirtualWork *> &works, const State &state)
 {
   sum_tangents(works, state);
-  preconditions_ = true;
-  petsc(PCSetReusePreconditioner(factor_, PETSC_TRUE));
+  factor_.precondition();
 }
 
 void LinearSystem::keep_factor()
 {
   petsc(VecSet(lift_, 0));
-  preconditions_ = false;
-}
-
-void LinearSystem::solve(Vec b, Vec x)
-{
-  if (preconditions_) {
-    petsc(KSPSolve(krylov_, b, x));
-    KSPConvergedReason reason;
-    petsc(KSPGetConvergedReason(krylov_, &reason));
-    if (reason > 0)
-      return;
-    if (!factorise_sum()) {
-      petsc(VecSet(x, std::nan("")));
-      return;
-    }
-  }
-  petsc(PCApply(factor_, b, x));
+  factor_.keep();
 }
 
 void LinearSystem::solve_held(Vec b, Vec x)

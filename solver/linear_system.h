@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 #include "solver/coupling_pattern.h"
+#include "solver/matrix_factor.h"
 #include "solver/virtual_work.h"
 #include <functional>
-#include <petscksp.h>
 
 namespace ballonet::solver
 {
@@ -11,9 +11,9 @@ namespace ballonet::solver
 /// Displacements prescribed on nodes: value of every held equation (three per node), NaN where it is free.
 using Prescribed = std::vector<double>;
 
-/// The distributed system of one Newton iteration: symmetric block matrix (SBAIJ, blocks of 3), residual, border and
-/// the MUMPS LDL^T factor with its count of negative pivots. Held equations become unit rows; their prescribed
-/// increments enter the right-hand side, so the matrix stays symmetric.
+/// The distributed system of one Newton iteration: symmetric block matrix (SBAIJ, blocks of 3), its factor, residual
+/// and border. Held equations become unit rows; their prescribed increments enter the right-hand side, so the matrix
+/// stays symmetric.
 class LinearSystem
 {
 public:
@@ -45,11 +45,11 @@ public:
   /// Leaves the last factor as it is for further solutions in which every held value is met.
   void keep_factor();
   /// So far.
-  int factorisations() const { return factorisations_; }
+  int factorisations() const { return factor_.computed(); }
   /// Number of negative pivots of the last factorisation.
-  int negative_pivots() const { return negative_pivots_; }
+  int negative_pivots() const { return factor_.negative_pivots(); }
   /// x = K^-1 b where the held entries of b are zero.
-  void solve(Vec b, Vec x);
+  void solve(Vec b, Vec x) { factor_.solve(b, x); }
   /// The same for a residual whose held entries are u - prescribed.
   void solve_held(Vec b, Vec x);
 
@@ -62,9 +62,7 @@ private:
   class ResidualAssembly;
   class TangentAssembly;
   void rebuild_pattern();
-  void create_krylov();
   void sum_tangents(const std::vector<VirtualWork *> &works, const State &state);
-  bool factorise_sum();
   /// Calls `visit(local index, prescribed value, displacement index)` for every held equation of this rank.
   template <class Visit>
   void for_held(const Visit &visit) const;
@@ -73,14 +71,11 @@ private:
   Prescribed prescribed_;
   CouplingPattern pattern_;
   Mat matrix_ = nullptr;
-  PC factor_ = nullptr;
-  KSP krylov_ = nullptr;       ///< GMRES on the matrix, preconditioned by the factor
-  bool preconditions_ = false; ///< the factor is that of another matrix
-  Vec lift_ = nullptr;         ///< K_fc (u_c - prescribed_c)
+  MatrixFactor factor_;
+  Vec lift_ = nullptr; ///< K_fc (u_c - prescribed_c)
   mutable Vec sequential_ = nullptr;
   VecScatter to_all_ = nullptr;
   bool pattern_changed_ = true;
-  int negative_pivots_ = 0, factorisations_ = 0;
 };
 
 } // namespace ballonet::solver

@@ -157,20 +157,25 @@ void NewtonSolver::Implementation::couple()
 
 /// A tangent with more negative pivots than at the start of the step points away from the solution once the increments
 /// do not shrink (or at once if it has two more): from then on contact's geometric part is left out of tangents that
-/// have too many of them.
+/// have too many of them. Far from the solution a tangent is taken to have as many as the one before.
 bool NewtonSolver::Implementation::factorise()
 {
+  const bool far = outcome.residuals.back() > parameters.krylov_below;
+  if (outcome.convexified && far)
+    return factorise_convex();
   if (!system.factorise(works, *state))
     return false;
   outcome.negative_pivots = system.negative_pivots();
-  outcome.convexified = false;
   if (outcome.residuals.size() == 1)
     first_pivots = outcome.negative_pivots;
   const bool indefinite = outcome.negative_pivots > first_pivots;
   convex = convex || (indefinite && (watch.struggling() || outcome.negative_pivots > first_pivots + 1));
-  if (!convex || !indefinite)
-    return true;
-  outcome.convexified = true;
+  outcome.convexified = convex && indefinite;
+  return !outcome.convexified || factorise_convex();
+}
+
+bool NewtonSolver::Implementation::factorise_convex()
+{
   for (auto *work : works)
     work->convexify(true);
   const bool done = system.factorise(works, *state);
@@ -183,6 +188,8 @@ void NewtonSolver::Implementation::solve(Vec f, Vec y)
 {
   split(f, residual);
   system.solve_held(residual, u);
+  if (!outcome.convexified)
+    outcome.negative_pivots = system.negative_pivots(); // GMRES may have asked for a factor
   double change = parameter_of(f);
   if (has_unknown_load()) {
     if (target.what != Prescribe::parameter)

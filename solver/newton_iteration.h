@@ -58,6 +58,7 @@ struct NewtonSolver::Implementation : SnesIteration {
   bool has_factor() const;
   void couple();
   bool factorise();
+  bool factorise_convex();
   void solve(Vec f, Vec y) override;
   void update(Vec x, Vec y) override;
   void assemble_residual();

@@ -109,6 +109,7 @@ struct ContactPair {
   double elastic_slip = 0.03;         // mm
   double viscous_velocity = infinity; // mm/s
   int points_per_side = 5, passes = 2;
+  double point_spacing = 0; // mm
   template <class Self, class Visitor>
   static void fields(Self &self, Visitor &v)
   {
@@ -131,6 +132,8 @@ struct ContactPair {
     v.count(
         "passes", self.passes, 1, 2,
         "2: points of the primary surface, edges and corners included, feel the secondary one too, half the area each");
+    v.quantity("point_spacing", self.point_spacing, "mm", 0, 1e3,
+               "largest distance at rest of the points of a primary surface; 0 mm: half the thickness");
     v.quantity("penetration_limit", self.penetration_limit, "mm", 0, 10, "a step that ends deeper is rejected");
   }
 };

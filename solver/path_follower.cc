@@ -137,6 +137,7 @@ void PathFollower::seek_rest(PathProgress &progress, PathPoint &point, const Log
     return;
   progress.state = std::move(state);
   point.newton = outcome;
+  point.kinetic_share = 0;
   point.at_rest = true;
 }
 
@@ -146,8 +147,9 @@ void PathFollower::look_at_stability(PathProgress &progress, PathPoint &point)
   if (!point.at_rest)
     return;
   if (path_.critical_points == CriticalPoints::locate || point.newton.convexified) {
+    const int spent = equilibrium_.factorisations();
     point.stability = equilibrium_.stability(progress.state);
-    ++progress.factorisations;
+    progress.factorisations += equilibrium_.factorisations() - spent;
   }
   progress.stability = point.stability;
 }

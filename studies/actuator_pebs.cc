@@ -44,6 +44,7 @@ solver::ContactPair contact_pair(const std::string &name, const Names &secondary
   pair.onset = contact.onset;
   pair.points_per_side = contact.points_per_side;
   pair.passes = contact.passes;
+  pair.point_spacing = contact.point_spacing;
   pair.elastic_slip = contact.elastic_slip;
   pair.viscous_velocity = contact.viscous_velocity;
   pair.penetration_limit = contact.penetration_limit;

@@ -69,7 +69,7 @@ struct Actuator {
 /// The block [contact]: the contact pairs of the built-in actuators.
 struct ContactDefaults {
   double friction = 0.3, stiffness = 15, thickness = 0.35, onset = 0.06, penetration_limit = 0.15;
-  double elastic_slip = 0.03, viscous_velocity = 100; // mm, mm/s
+  double elastic_slip = 0.03, viscous_velocity = 100, point_spacing = 0.35; // mm, mm/s, mm
   int points_per_side = 8, passes = 2;
   std::vector<std::string> self = {"backbone", "balloon"};
 
@@ -86,6 +86,8 @@ struct ContactDefaults {
         "contact points per side of a balloon element; their distance must stay below the thickness when it stretches");
     v.count("passes", self.passes, 1, 2,
             "2: points of the ribs, edges and corners included, feel the balloon too, half the area each");
+    v.quantity("point_spacing", self.point_spacing, "mm", 0, 10,
+               "largest distance of the points of the ribs; 0 mm: half the thickness");
     v.quantity("elastic_slip", self.elastic_slip, "mm", 1e-9, 10,
                "how far the surfaces give before they slide: friction builds up over it and is kept from step to step");
     v.quantity(
