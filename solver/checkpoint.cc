@@ -49,6 +49,8 @@ void write_checkpoint(const std::string &file, const PathProgress &progress)
     out.write("acceleration", progress.state.acceleration, 3);
     if (!progress.state.friction.empty())
       out.write("friction", progress.state.friction, 3);
+    if (!progress.state.contact_shift.empty())
+      out.write("contact_shift", progress.state.contact_shift, 1);
     for_each_scalar(progress, [&](const char *name, double value) { out.write_attribute("/", name, value); });
   }
   std::filesystem::rename(file + ".new", file);
@@ -67,6 +69,8 @@ bool read_checkpoint(const std::string &file, PathProgress &progress)
   progress.state.acceleration = in.read("acceleration");
   if (!progress.state.friction.empty())
     progress.state.friction = in.read("friction");
+  if (!progress.state.contact_shift.empty())
+    progress.state.contact_shift = in.read("contact_shift");
   for_each_scalar(progress, [&](const char *name, auto &value) { value = in.read_attribute("/", name); });
   return true;
 }

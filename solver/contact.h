@@ -8,6 +8,11 @@
 namespace ballonet::solver
 {
 
+namespace contact
+{
+struct MeanGaps;
+}
+
 /// What a contact pair transmits. Ranks' parts are summed with +=.
 struct ContactSummary {
   std::vector<Vector3> primary_force; ///< N, on each primary surface in the order of the pair's names
@@ -27,7 +32,7 @@ struct ContactPoint {
   Vector3 position;            ///< mm, present, on the secondary surface
   double area;                 ///< mm^2 of reference area the point stands for, half of it with two passes
   double pressure;             ///< MPa per reference area
-  double penetration;          ///< mm
+  double penetration;          ///< mm; with augmented contact also negative
 };
 
 /// The contact of one pair, whatever its primary side is.
@@ -36,6 +41,12 @@ class Contact : public VirtualWork
 public:
   /// Numbers the contact points of all ranks from here on in State::friction; returns where the next pair begins.
   virtual std::size_t number_points_from(std::size_t first) = 0;
+  /// The same for the shifts of augmented contact in State::contact_shift.
+  virtual std::size_t number_shifts_from(std::size_t first) = 0;
+  /// Takes the shifts of a state for all that follows; begin_step does so too.
+  virtual void take_shifts(const State &) = 0;
+  /// Adds the gaps around the nodes of the shifts, this rank's part.
+  virtual void add_gaps(const State &, contact::MeanGaps &) const = 0;
   /// Writes the tractions of friction at the end of a step, this rank's part, MPa.
   virtual void end_step(State &end) const = 0;
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "solver/contact_pairing.h"
 #include "solver/contact_pair_patches.h"
+#include "solver/contact_shift.h"
 #include <algorithm>
 
 namespace ballonet::solver::contact
@@ -80,6 +81,8 @@ ContactPairing::ContactPairing(const Mesh &mesh, const ContactPair &pair,
     : mesh_(mesh), margin_(margin)
 {
   patches_ = patches_of_pair(mesh, pair);
+  if (pair.enforcement != Enforcement::penalty)
+    n_shifts_ = number_shift_nodes(patches_);
   n_secondary_ = 0;
   for (std::uint32_t p = 0; p < patches_.size(); ++p) {
     Patch &patch = patches_[p];
@@ -125,6 +128,7 @@ PairedPoint ContactPairing::paired_point(std::uint32_t index, CurrentPatches &no
   PairedPoint p = {index, own, own_xi, area, number, patch, interpolate(nodes[own], patch_shapes(own_xi).value), {}, 0};
   p.closest = closest_point(nodes[patch], patches_[patch].range, p.position, xi);
   p.penetration = radius(own, patch) - p.closest.distance;
+  p.shift = shifts_.empty() ? 0 : shifts_[index];
   for (int k = 0; crossing_ && k < most_crossings && cross(p, nodes); ++k) {
   }
   return p;
@@ -159,7 +163,7 @@ const std::vector<PairedPoint> &ContactPairing::touching(std::span<const double>
   found_.points.clear();
   CurrentPatches patches(*this, {mesh_, displacement});
   for (const std::uint32_t index : paired_)
-    if (const PairedPoint p = paired_point(index, patches); p.penetration > 0)
+    if (const PairedPoint p = paired_point(index, patches); p.shifted_penetration() > 0)
       found_.points.push_back(p);
   return found_.points;
 }
@@ -169,6 +173,16 @@ void ContactPairing::allow_crossing(bool allowed)
   if (allowed != crossing_)
     found_.displacement.clear();
   crossing_ = allowed;
+}
+
+void ContactPairing::take_shifts(std::span<const double> shifts)
+{
+  found_.displacement.clear();
+  largest_shift_ = shifts.empty() ? 0 : *std::ranges::max_element(shifts);
+  shifts_.clear();
+  if (largest_shift_ > 0)
+    for (const auto [patch, point] : points_)
+      shifts_.push_back(shift_at(patches_[patch], patches_[patch].points[point].xi, shifts));
 }
 
 void ContactPairing::begin_step()
@@ -214,7 +228,7 @@ void ContactPairing::search(std::span<const double> displacement)
   const Surroundings now(*this, {mesh_, displacement});
   std::vector<std::vector<std::uint32_t>> near(patches_.size());
   const std::size_t before = couplings_.size();
-  for_each_near(now, margin_, [&](std::uint32_t secondary, std::uint32_t primary) {
+  for_each_near(now, reach(), [&](std::uint32_t secondary, std::uint32_t primary) {
     near[secondary].push_back(primary);
     near[primary].push_back(secondary);
     couple(secondary, primary);
@@ -226,7 +240,7 @@ void ContactPairing::search(std::span<const double> displacement)
       paired_.push_back(index);
   }
   if (couplings_.size() > before) // couple what may come within reach later too: each change costs a new matrix
-    for_each_near(now, 1.5 * margin_,
+    for_each_near(now, reach() + 0.5 * margin_,
                   [&](std::uint32_t secondary, std::uint32_t primary) { couple(secondary, primary); });
 }
 
@@ -243,12 +257,12 @@ ContactPairing::Pairing ContactPairing::nearest(std::uint32_t index, const std::
   const Point3 x = interpolate(now.nodes[own], patch_shapes(patches_[own].points[point].xi).value);
   const Pairing &previous = pairings_[index];
   Pairing best;
-  double smallest_gap = margin_;
+  double smallest_gap = reach();
   const auto rank = [&](std::uint32_t patch) { return patch == previous.patch ? -1 : std::int64_t(patch); };
   std::vector<std::pair<double, std::uint32_t>> by_bound; // lower bound of the gap, patch
   for (const std::uint32_t patch : candidates) {
     const double bound = std::sqrt(now.boxes[patch].distance_square(x)) - radius(own, patch);
-    if (bound < margin_)
+    if (bound < reach())
       by_bound.push_back({patch == previous.patch ? -infinity : bound, patch});
   }
   std::sort(by_bound.begin(), by_bound.end());

@@ -22,6 +22,9 @@ struct PairedPoint {
   Point3 position;
   ClosestPoint closest;
   double penetration; ///< radius - distance; negative without contact
+  double shift = 0;   ///< mm, of augmented contact: what is added to the penetration in the law
+
+  double shifted_penetration() const { return penetration + shift; }
 };
 
 /// Both surfaces of a contact pair, and which patch of the other one each quadrature point looks at. The secondary
@@ -50,12 +53,16 @@ public:
   /// when another one is equally near.
   void search(std::span<const double> displacement);
 
+  /// The shifts of augmented contact for all points, by node; none: zero. Points are paired within the contact distance
+  /// plus the largest shift plus the margin.
+  void take_shifts(std::span<const double> shifts);
+
   /// Whether points may cross into neighbouring patches between two searches. In a concave corner two patches are
   /// equally near and a point could change sides for ever.
   void allow_crossing(bool allowed);
 
-  /// The paired points that touch (positive penetration) in ascending order, found once for all who ask at the same
-  /// displacement. Valid until the next call.
+  /// The paired points that touch (positive shifted penetration) in ascending order, found once for all who ask at the
+  /// same displacement. Valid until the next call.
   const std::vector<PairedPoint> &touching(std::span<const double> displacement) const;
 
   /// The (secondary patch, primary cell) pairs that have come within reach in this step: only these are ever paired.
@@ -68,6 +75,8 @@ public:
   std::uint32_t n_secondary() const { return n_secondary_; }
   std::size_t n_points() const { return points_.size(); }
   std::size_t n_points_of_all_ranks() const { return n_points_of_all_ranks_; }
+  /// Nodes of the shifts of augmented contact; zero if the pair has none.
+  std::size_t n_shifts() const { return n_shifts_; }
   /// The distance at which contact between two patches begins, mm.
   double radius(std::uint32_t a, std::uint32_t b) const { return patches_[a].depth + patches_[b].depth; }
   double largest_radius() const { return largest_radius_; }
@@ -90,12 +99,13 @@ private:
   struct Surroundings;
 
   const Mesh &mesh_;
-  double margin_, largest_radius_ = 0;
+  double margin_, largest_radius_ = 0, largest_shift_ = 0;
   bool crossing_ = true;
   std::vector<Patch> patches_;
   std::uint32_t n_secondary_;
   std::vector<PointOnPatch> points_;
-  std::size_t n_points_of_all_ranks_ = 0;
+  std::size_t n_points_of_all_ranks_ = 0, n_shifts_ = 0;
+  std::vector<double> shifts_;        ///< mm, one per point; empty: zero
   std::vector<Pairing> pairings_;     ///< one per point
   std::vector<std::uint32_t> paired_; ///< indices of the points that have a patch
   std::vector<std::array<std::uint32_t, 2>> couplings_;
@@ -106,6 +116,8 @@ private:
   };
   mutable Found found_; ///< what touching() has found last
 
+  /// How far beyond the contact distance points are paired.
+  double reach() const { return margin_ + largest_shift_; }
   void find_neighbours(double bound);
   static std::uint64_t pair_key(std::uint32_t a, std::uint32_t b)
   {

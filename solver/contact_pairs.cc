@@ -12,11 +12,12 @@ namespace ballonet::solver
 {
 
 ContactPairs::ContactPairs(const Parameters &parameters, const Discretization &discretization)
-    : parameters_(parameters), discretization_(discretization)
+    : parameters_(parameters), discretization_(discretization), augmentation_(discretization.comm())
 {
   for (const auto &pair : parameters.contact_pairs) {
     build(pair);
     n_points_ = contacts_.back()->number_points_from(n_points_);
+    augmentation_.add(*contacts_.back(), pair);
   }
 }
 

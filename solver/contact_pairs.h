@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
+#include "solver/augmentation.h"
 #include "solver/contact.h"
 #include "solver/discretization.h"
 #include "solver/parameters.h"
@@ -22,6 +23,8 @@ public:
   std::vector<VirtualWork *> works() const;
   /// Contact points of all pairs and ranks: entries of State::friction.
   std::size_t n_points() const { return n_points_; }
+
+  const Augmentation &augmentation() const { return augmentation_; }
 
   /// Leaves the friction at the end of a converged step in its state.
   void end_step(State &end) const;
@@ -46,6 +49,7 @@ private:
   const Parameters &parameters_;
   const Discretization &discretization_;
   std::vector<std::unique_ptr<Contact>> contacts_;
+  Augmentation augmentation_;
   /// Each finds the nodes that must not be where they are.
   std::vector<std::function<std::vector<Violation>(const State &)>> checks_;
   std::size_t n_points_ = 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "solver/contact_rigid.h"
 #include "solver/contact_quadrature.h"
+#include "solver/contact_shift.h"
 #include "solver/contact_step.h"
 #include <stdexcept>
 
@@ -12,12 +13,15 @@ using namespace contact;
 struct RigidContactWork::PointAt {
   std::size_t index, number; ///< among the points of this rank, of all ranks
   const Patch &face;
+  Parameters2 xi;
   std::array<double, 9> shapes;
   double area;
   Point3 x;
   SignedDistance distance;
+  double shift; ///< mm, of augmented contact
 
   double penetration() const { return -distance.value; }
+  double shifted_penetration() const { return penetration() + shift; }
 };
 
 namespace
@@ -54,8 +58,12 @@ RigidContactWork::RigidContactWork(const Mesh &mesh, const ContactPair &pair, co
 {
   check(pair);
   std::size_t n_points = 0;
-  for (Patch &face : patches_of(mesh, pair.secondary, 0)) {
+  auto faces = patches_of(mesh, pair.secondary, 0);
+  for (Patch &face : faces)
     face.points = gauss_points(mesh, face, pair.points_per_side, 1);
+  if (pair.enforcement != Enforcement::penalty)
+    n_shifts_ = number_shift_nodes(faces);
+  for (Patch &face : faces) {
     face.first_point = n_points_of_all_ranks_;
     n_points_of_all_ranks_ += face.points.size();
     if (!owned(face.face.cell))
@@ -78,7 +86,8 @@ void RigidContactWork::for_each(const State &state, Visit visit) const
     for (const QuadraturePoint &point : face.points) {
       const auto shapes = patch_shapes(point.xi).value;
       const Point3 x = interpolate(nodes, shapes);
-      visit(PointAt{index++, number++, face, shapes, point.area, x, shape_->distance(x)});
+      visit(PointAt{index++, number++, face, point.xi, shapes, point.area, x, shape_->distance(x),
+                    shift_at(face, point.xi, shifts_)});
     }
   }
 }
@@ -91,17 +100,38 @@ Point3 RigidContactWork::slip(const PointAt &p) const
 /// On the secondary surface, N.
 Point3 RigidContactWork::force(const PointAt &p) const
 {
-  Point3 force = p.area * law_.pressure(p.penetration()) * p.distance.gradient;
+  Point3 force = p.area * law_.pressure(p.shifted_penetration()) * p.distance.gradient;
   if (const FrictionPoint &friction = sliding_[p.index].friction; friction.limit > 0)
     force -= friction_law_.force(friction, slip(p));
   return force;
 }
 
+std::size_t RigidContactWork::number_shifts_from(std::size_t first)
+{
+  first_shift_ = first;
+  return first + n_shifts_;
+}
+
+void RigidContactWork::take_shifts(const State &state)
+{
+  const auto shifts = shifts_of_pair(state, first_shift_, n_shifts_);
+  shifts_.assign(shifts.begin(), shifts.end());
+}
+
+void RigidContactWork::add_gaps(const State &state, MeanGaps &gaps) const
+{
+  for_each(state, [&](const PointAt &p) {
+    if (p.shifted_penetration() > 0)
+      gaps.add(p.face, p.xi, first_shift_, p.area * law_.pressure(p.shifted_penetration()), p.penetration());
+  });
+}
+
 void RigidContactWork::begin_step(const State &start, const Step &step)
 {
+  take_shifts(start);
   friction_law_.viscous_slip = viscous_velocity_ * step.rate_time();
   for_each(start, [&](const PointAt &p) {
-    stored_pressure_[p.index] = law_.pressure(p.penetration());
+    stored_pressure_[p.index] = law_.pressure(p.shifted_penetration());
     const Point3 traction = remembered_traction(start, first_point_ + p.number);
     sliding_[p.index] = {
         friction_law_.begin(friction_ * stored_pressure_[p.index], p.area, p.distance.gradient, traction), p.x};
@@ -126,7 +156,7 @@ double RigidContactWork::energy(const State &state) const
 {
   double sum = 0;
   for_each(state, [&](const PointAt &p) {
-    sum += p.area * law_.energy(p.penetration());
+    sum += p.area * law_.energy(p.shifted_penetration());
     if (const FrictionPoint &friction = sliding_[p.index].friction; friction.limit > 0)
       sum += friction_law_.energy(friction, slip(p));
   });
@@ -158,15 +188,15 @@ void RigidContactWork::tangent(const State &state, Assembly &assembly) const
   };
   for_each(state, [&](const PointAt &p) {
     const FrictionPoint &friction = sliding_[p.index].friction;
-    if (p.penetration() <= 0 && friction.limit == 0)
+    if (p.shifted_penetration() <= 0 && friction.limit == 0)
       return;
     if (present != &p.face)
       flush();
     present = &p.face;
     const Point3 &n = p.distance.gradient;
-    const double stress = convex_ || p.penetration() <= 0 ? 0 : stored_pressure_[p.index];
+    const double stress = convex_ || p.shifted_penetration() <= 0 ? 0 : stored_pressure_[p.index];
     dealii::Tensor<2, 3> form =
-        p.area * (law_.slope(p.penetration()) * outer_product(n, n) - stress * p.distance.hessian);
+        p.area * (law_.slope(p.shifted_penetration()) * outer_product(n, n) - stress * p.distance.hessian);
     if (friction.limit > 0)
       form += friction_law_.tangent(friction, slip(p));
     add_form(p.shapes, form, block);
@@ -178,8 +208,8 @@ void RigidContactWork::advance(const State &from, std::span<const double> increm
 {
   for_each(from, [&](const PointAt &p) {
     const Point3 way = interpolate(at_depth(p.face, NodalField{increment}), p.shapes);
-    const double predicted =
-        law_.pressure(p.penetration()) - law_.slope(p.penetration()) * fraction * (p.distance.gradient * way);
+    const double predicted = law_.pressure(p.shifted_penetration()) -
+                             law_.slope(p.shifted_penetration()) * fraction * (p.distance.gradient * way);
     stored_pressure_[p.index] = std::max(predicted, 0.);
   });
 }
@@ -203,9 +233,9 @@ ContactSummary RigidContactWork::summary(const State &state) const
   Point3 sum;
   for_each(state, [&](const PointAt &p) {
     sum += force(p);
-    if (p.penetration() <= 0)
+    if (p.shifted_penetration() <= 0)
       return;
-    summary.normal_force += p.area * law_.pressure(p.penetration());
+    summary.normal_force += p.area * law_.pressure(p.shifted_penetration());
     summary.area += p.area;
     summary.penetration = std::max(summary.penetration, p.penetration());
     ++summary.points;
@@ -223,9 +253,9 @@ std::vector<ContactPoint> RigidContactWork::contact_points(const State &state) c
 {
   std::vector<ContactPoint> points;
   for_each(state, [&](const PointAt &p) {
-    if (p.penetration() > 0)
+    if (p.shifted_penetration() > 0)
       points.push_back(
-          {p.face.face, std::nullopt, to_array(p.x), p.area, law_.pressure(p.penetration()), p.penetration()});
+          {p.face.face, std::nullopt, to_array(p.x), p.area, law_.pressure(p.shifted_penetration()), p.penetration()});
   });
   return points;
 }

@@ -32,6 +32,9 @@ public:
   double largest_step(const State &, std::span<const double> increment) const override;
 
   std::size_t number_points_from(std::size_t first) override;
+  std::size_t number_shifts_from(std::size_t first) override;
+  void take_shifts(const State &) override;
+  void add_gaps(const State &, contact::MeanGaps &) const override;
   void end_step(State &end) const override;
   ContactSummary summary(const State &) const override;
   std::vector<ContactPoint> contact_points(const State &) const override;
@@ -48,11 +51,12 @@ private:
   std::vector<contact::Patch> faces_;
   ContactLaw law_;
   double friction_, viscous_velocity_, thickness_;
-  std::size_t first_point_ = 0, n_points_of_all_ranks_ = 0;
+  std::size_t first_point_ = 0, n_points_of_all_ranks_ = 0, first_shift_ = 0, n_shifts_ = 0;
   bool convex_ = false;
   contact::FrictionLaw friction_law_;
   std::vector<Sliding> sliding_;        ///< one per point
   std::vector<double> stored_pressure_; ///< MPa, one per point
+  std::vector<double> shifts_;          ///< mm, of augmented contact, by node; none: zero
 
   template <class Visit>
   void for_each(const State &, Visit visit) const;

@@ -89,6 +89,8 @@ struct Patch {
   std::array<std::optional<Neighbour>, 4> neighbour = {};
   std::vector<QuadraturePoint> points = {}; ///< none where the patch is only felt by others
   std::size_t first_point = 0;              ///< number of its first point among those of all ranks
+  /// Of its corners, see contact_shift.h.
+  std::array<std::uint32_t, 4> shift_node = {};
 
   std::size_t n_layers() const { return nodes.size() / 9; }
   /// Index into `nodes` of the node in a column, some layers deep.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "solver/contact_work.h"
 #include "solver/contact_forces.h"
+#include "solver/contact_shift.h"
 #include "solver/contact_step.h"
 #include "solver/contact_tangent.h"
 #include <cmath>
@@ -69,13 +70,14 @@ void ContactWork::begin_step(const State &start, const Step &step)
 {
   const bool had_couplings = !pairing_.couplings().empty();
   pairing_.begin_step();
+  take_shifts(start);
   search(start);
   couplings_changed_ = couplings_changed_ || had_couplings;
   friction_law_.viscous_slip = viscous_velocity_ * step.rate_time();
   sliding_.clear();
   std::fill(stored_pressure_.begin(), stored_pressure_.end(), 0.);
   for (const PairedPoint &p : touching(start)) {
-    stored_pressure_[p.index] = law_.pressure(p.penetration);
+    stored_pressure_[p.index] = law_.pressure(p.shifted_penetration());
     if (const double strength = friction_ * stored_pressure_[p.index]; strength > 0) {
       const auto friction =
           friction_law_.begin(strength, p.area, p.closest.normal, remembered_traction(start, first_point_ + p.number));
@@ -88,6 +90,24 @@ std::size_t ContactWork::number_points_from(std::size_t first)
 {
   first_point_ = first;
   return first + pairing_.n_points_of_all_ranks();
+}
+
+std::size_t ContactWork::number_shifts_from(std::size_t first)
+{
+  first_shift_ = first;
+  return first + pairing_.n_shifts();
+}
+
+void ContactWork::take_shifts(const State &state)
+{
+  pairing_.take_shifts(shifts_of_pair(state, first_shift_, pairing_.n_shifts()));
+}
+
+void ContactWork::add_gaps(const State &state, MeanGaps &gaps) const
+{
+  for (const PairedPoint &p : touching(state))
+    gaps.add(pairing_.patches()[p.own], p.own_xi, first_shift_, p.area * law_.pressure(p.shifted_penetration()),
+             p.penetration);
 }
 
 void ContactWork::end_step(State &end) const
@@ -127,7 +147,7 @@ double ContactWork::energy(const State &state) const
 {
   double sum = 0;
   for (const PairedPoint &p : touching(state)) {
-    sum += p.area * law_.energy(p.penetration);
+    sum += p.area * law_.energy(p.shifted_penetration());
   }
   for (const SlidingPoint &s : sliding_)
     sum += friction_law_.energy(s.friction, slip(s, pairing_, state.displacement));
@@ -139,7 +159,7 @@ void ContactWork::residual(const State &state, Assembly &assembly) const
   const auto &patches = pairing_.patches();
   ForceBuffer buffer(pairing_);
   for (const PairedPoint &p : touching(state)) {
-    const Point3 force = p.area * law_.pressure(p.penetration) * p.closest.normal;
+    const Point3 force = p.area * law_.pressure(p.shifted_penetration()) * p.closest.normal;
     buffer.add(p.own, node_weights(patches[p.own], patch_shapes(p.own_xi).value), -force);
     buffer.add(p.patch, node_weights(patches[p.patch], patch_shapes(p.closest.xi).value), force);
   }
@@ -156,7 +176,7 @@ void ContactWork::tangent(const State &state, Assembly &assembly) const
   std::vector<NormalContact> normal;
   for (const PairedPoint &p : touching(state)) {
     const double stress = convex_ ? 0 : stored_pressure_[p.index];
-    normal.push_back({p, p.area * law_.slope(p.penetration), p.area * stress});
+    normal.push_back({p, p.area * law_.slope(p.shifted_penetration()), p.area * stress});
   }
   std::vector<SlidingContact> sliding;
   for (const SlidingPoint &s : sliding_)
@@ -174,8 +194,8 @@ void ContactWork::advance(const State &from, std::span<const double> increment, 
   for (const PairedPoint &p : touching(from)) {
     const Point3 relative = interpolate(increments[p.own], patch_shapes(p.own_xi).value) -
                             interpolate(increments[p.patch], patch_shapes(p.closest.xi).value);
-    const double predicted =
-        law_.pressure(p.penetration) - law_.slope(p.penetration) * fraction * (p.closest.normal * relative);
+    const double predicted = law_.pressure(p.shifted_penetration()) -
+                             law_.slope(p.shifted_penetration()) * fraction * (p.closest.normal * relative);
     stored_pressure_[p.index] = std::max(predicted, 0.);
   }
 }
@@ -194,7 +214,7 @@ ContactSummary ContactWork::summary(const State &state) const
     summary.secondary_force += force_on_secondary;
   };
   for (const PairedPoint &p : touching(state)) {
-    const Point3 force = p.area * law_.pressure(p.penetration) * p.closest.normal;
+    const Point3 force = p.area * law_.pressure(p.shifted_penetration()) * p.closest.normal;
     if (pairing_.is_secondary(p.own))
       add(p.patch, force);
     else
@@ -221,7 +241,7 @@ double ContactWork::missed_force(const State &state) const
   double missed = 0;
   for (const PairedPoint &p : afresh.touching(state.displacement))
     if (!touches[p.index])
-      missed += p.area * law_.pressure(p.penetration);
+      missed += p.area * law_.pressure(p.shifted_penetration());
   return missed;
 }
 
@@ -233,8 +253,8 @@ std::vector<ContactPoint> ContactWork::contact_points(const State &state) const
     const Point3 closest = p.position - p.closest.distance * p.closest.normal;
     const bool felt_by_secondary = pairing_.is_secondary(p.own);
     points.push_back({felt_by_secondary ? own : other, felt_by_secondary ? other : own,
-                      to_array(felt_by_secondary ? p.position : closest), p.area, law_.pressure(p.penetration),
-                      p.penetration});
+                      to_array(felt_by_secondary ? p.position : closest), p.area,
+                      law_.pressure(p.shifted_penetration()), p.penetration});
   }
   return points;
 }

@@ -44,6 +44,9 @@ public:
   double largest_step(const State &, std::span<const double> increment) const override;
 
   std::size_t number_points_from(std::size_t first) override;
+  std::size_t number_shifts_from(std::size_t first) override;
+  void take_shifts(const State &) override;
+  void add_gaps(const State &, contact::MeanGaps &) const override;
   void end_step(State &end) const override;
   ContactSummary summary(const State &) const override;
   std::vector<ContactPoint> contact_points(const State &) const override;
@@ -54,7 +57,7 @@ private:
   ContactLaw law_;
   ContactOptions options_;
   double friction_, viscous_velocity_;
-  std::size_t first_point_ = 0;
+  std::size_t first_point_ = 0, first_shift_ = 0;
   std::size_t n_primary_surfaces_;
   bool couplings_changed_ = false, convex_ = false;
   contact::FrictionLaw friction_law_;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <tuple>
 
 namespace ballonet::solver
 {
@@ -75,7 +76,8 @@ void Equilibrium::build_loads(const std::vector<double> &mass)
 State Equilibrium::initial_state() const
 {
   const std::vector<double> zeros(3 * discretization_.n_nodes());
-  return {zeros, zeros, zeros, std::vector<double>(3 * contacts_.n_points()), 0, 0};
+  return {zeros, zeros, zeros, std::vector<double>(3 * contacts_.n_points()),
+          0,     0,     0,     std::vector<double>(contacts_.augmentation().n_shifts())};
 }
 
 /// Nodal masses, t, summed over the ranks.
@@ -155,7 +157,7 @@ NewtonSolver::Outcome Equilibrium::solve(State &state, const Step &step, const N
     work->begin_step(state, step);
   State end = state;
   end.load_factor = step.load_factor;
-  auto outcome = newton_->solve(end, target);
+  auto outcome = solve_augmented(end, target);
   if (outcome.converged) {
     inertia_->end_step(end);
     contacts_.end_step(end);
@@ -164,6 +166,19 @@ NewtonSolver::Outcome Equilibrium::solve(State &state, const Step &step, const N
     outcome.reason +=
         "; what moves most is " + place_of(discretization_.mesh(), *outcome.restless, end, parameters_.contact_pairs);
   }
+  return outcome;
+}
+
+/// To equilibrium with augmented contact: again and again, as long as that is asked for.
+NewtonSolver::Outcome Equilibrium::solve_augmented(State &end, const NewtonSolver::Target &target)
+{
+  const Augmentation &augmentation = contacts_.augmentation();
+  augmentation.predict(end);
+  auto outcome = newton_->solve(end, target);
+  for (int k = 0; outcome.converged && augmentation.augment(end, k); ++k)
+    outcome = newton_->go_on(end);
+  if (outcome.converged)
+    std::tie(outcome.mean_penetration, outcome.shortfall) = augmentation.remaining(end);
   return outcome;
 }
 

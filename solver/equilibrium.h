@@ -66,6 +66,7 @@ private:
   void build_loads(const std::vector<double> &mass);
   std::vector<double> total_mass() const;
   std::vector<double> nodal_volumes() const;
+  NewtonSolver::Outcome solve_augmented(State &end, const NewtonSolver::Target &target);
   void factorise_tangent(const State &state, double dt);
   bool moves_a_support() const;
   Prescribed prescribed(double load_factor) const;

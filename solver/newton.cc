@@ -19,18 +19,20 @@ NewtonSolver::Outcome NewtonSolver::solve(State &state, const Target &target)
   if (!impl_->cavity && target.what == Prescribe::parameter)
     impl_->target.parameter = state.load_factor; // the loads are what the state says
   impl_->outcome = {};
-  impl_->watch = {};
   impl_->convex = false;
   impl_->system.scatter(state.displacement, impl_->u);
   petsc(VecCopy(impl_->u, impl_->start));
   impl_->go_along(target.direction);
-  impl_->begin_iteration(0);
-  const int factorisations = impl_->system.factorisations();
-  impl_->iterate(impl_->u, impl_->parameter(state));
-  impl_->outcome.factorisations = impl_->system.factorisations() - factorisations;
-  if (!impl_->outcome.converged && impl_->outcome.reason.empty())
-    impl_->outcome.reason = "the linear system could not be solved";
-  return impl_->outcome;
+  return impl_->run();
+}
+
+NewtonSolver::Outcome NewtonSolver::go_on(State &state)
+{
+  impl_->state = &state;
+  impl_->outcome.converged = false;
+  impl_->outcome.residuals.pop_back(); // the first one of what follows takes its place
+  impl_->system.scatter(state.displacement, impl_->u);
+  return impl_->run();
 }
 
 double NewtonSolver::volume(const State &state) const

@@ -40,7 +40,9 @@ public:
     double compliance = 0;         ///< F . K^-1 F of the last tangent, zero where the load parameter is no unknown
     bool convexified = false;      ///< the last tangent was made convex, its compliance is not the body's
     int factorisations = 0;
-    double volume = 0; ///< mm^3
+    double mean_penetration = 0; ///< mm, what augmented contact has left
+    std::string shortfall;       ///< of augmented contact, where that is more than asked for
+    double volume = 0;           ///< mm^3
     int iterations() const { return static_cast<int>(residuals.size()) - 1; }
     Stability stability() const { return {negative_pivots, compliance}; }
   };
@@ -55,6 +57,10 @@ public:
   /// prescribed arc length go on in the direction of the state's velocity.
   /// On failure the state is left where the iteration ended.
   Outcome solve(State &state, const Target &target);
+
+  /// Goes on from a converged state after contributions have changed, to the same target of the same step: what was
+  /// learned on the way there, the last factor included, still serves. The outcome is that of all together.
+  Outcome go_on(State &state);
 
   /// Volume of the cavity, mm^3 (collective); zero without one.
   double volume(const State &state) const;

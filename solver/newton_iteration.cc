@@ -29,6 +29,19 @@ NewtonSolver::Implementation::~Implementation()
     VecDestroy(vector);
 }
 
+/// From the displacement u of the state.
+NewtonSolver::Outcome NewtonSolver::Implementation::run()
+{
+  watch = {};
+  begin_iteration(static_cast<int>(outcome.residuals.size()));
+  const int factorisations = system.factorisations();
+  iterate(u, parameter(*state));
+  outcome.factorisations += system.factorisations() - factorisations;
+  if (!outcome.converged && outcome.reason.empty())
+    outcome.reason = "the linear system could not be solved";
+  return outcome;
+}
+
 void NewtonSolver::Implementation::assemble_residual()
 {
   system.assemble(

@@ -48,6 +48,7 @@ struct NewtonSolver::Implementation : SnesIteration {
 
   /// A cavity's pressure always is an unknown, the load factor only along an arc.
   bool has_unknown_load() const { return cavity || target.what == Prescribe::arc_length; }
+  Outcome run();
   void assemble_force();
   double miss(Vec x);
   void evaluate(Vec x, Vec f) override;

@@ -102,6 +102,26 @@ struct Load {
   }
 };
 
+/// How contact pairs keep their surfaces apart.
+enum class Enforcement { penalty, augmented_lagrangian };
+
+/// The keys of augmented contact, the same for all who have contact pairs.
+template <class Self, class Visitor>
+void augmentation_fields(Self &self, Visitor &v)
+{
+  v.choice(
+      "enforcement", self.enforcement,
+      {{"penalty", Enforcement::penalty}, {"augmented_lagrangian", Enforcement::augmented_lagrangian}},
+      "penalty: surfaces penetrate by what the pressure takes; augmented_lagrangian: the penetration left by a step "
+      "is taken back at the start of the next one, with the pressure kept, and steps that leave more than the "
+      "tolerance are solved again");
+  v.quantity("augmentation_tolerance", self.augmentation_tolerance, "mm", 1e-6, 10,
+             "largest penetration that augmented_lagrangian leaves, in the mean around a corner of the faces");
+  v.count("max_augmentations", self.max_augmentations, 0, 1000,
+          "how often augmented_lagrangian solves a step again; what is left then is column mean_penetration_mm and in "
+          "the log. 0: never");
+}
+
 struct ContactPair {
   std::string name;
   std::vector<std::string> secondary, primary;
@@ -110,6 +130,9 @@ struct ContactPair {
   double viscous_velocity = infinity; // mm/s
   int points_per_side = 5, passes = 2;
   double point_spacing = 0; // mm
+  Enforcement enforcement = Enforcement::penalty;
+  double augmentation_tolerance = 0.01; // mm
+  int max_augmentations = 10;
   template <class Self, class Visitor>
   static void fields(Self &self, Visitor &v)
   {
@@ -135,6 +158,7 @@ struct ContactPair {
     v.quantity("point_spacing", self.point_spacing, "mm", 0, 1e3,
                "largest distance at rest of the points of a primary surface; 0 mm: half the thickness");
     v.quantity("penetration_limit", self.penetration_limit, "mm", 0, 10, "a step that ends deeper is rejected");
+    augmentation_fields(self, v);
   }
 };
 

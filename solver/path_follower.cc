@@ -19,6 +19,12 @@ std::string residual_text(const NewtonSolver::Outcome &outcome)
   return text.str();
 }
 
+/// What augmented contact has not reached.
+std::string shortfall_text(const NewtonSolver::Outcome &outcome)
+{
+  return outcome.shortfall.empty() ? "" : "; " + outcome.shortfall;
+}
+
 std::string cut_text(const StepPlan::Attempt &attempt, const NewtonSolver::Outcome &outcome)
 {
   std::ostringstream line;
@@ -36,7 +42,7 @@ std::string rest_text(double before, double after, const NewtonSolver::Outcome &
   else
     line << "not found: " << outcome.reason << ";";
   line << residual_text(outcome);
-  return line.str();
+  return line.str() + shortfall_text(outcome);
 }
 
 std::string step_text(const PathProgress &progress, const StepPlan::Attempt &attempt, double reference_volume,
@@ -49,7 +55,7 @@ std::string step_text(const PathProgress &progress, const StepPlan::Attempt &att
     line << "  V/V0 " << progress.volume / reference_volume;
   if (attempt.target.what == NewtonSolver::Prescribe::arc_length)
     line << "  load factor " << progress.state.load_factor;
-  line << "  negative pivots " << outcome.negative_pivots << ";" << residual_text(outcome);
+  line << "  negative pivots " << outcome.negative_pivots << ";" << residual_text(outcome) << shortfall_text(outcome);
   return line.str();
 }
 

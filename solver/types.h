@@ -18,6 +18,8 @@ struct State {
   double pressure = 0;              ///< MPa, of the cavity
   double load_factor = 0;           ///< of gravity and loads
   double time = 0;                  ///< s of pseudo-time
+  /// mm, of augmented contact, pair after pair: see contact_shift.h
+  std::vector<double> contact_shift = {};
 };
 
 /// What one step is asked to reach.

@@ -48,6 +48,9 @@ solver::ContactPair contact_pair(const std::string &name, const Names &secondary
   pair.elastic_slip = contact.elastic_slip;
   pair.viscous_velocity = contact.viscous_velocity;
   pair.penetration_limit = contact.penetration_limit;
+  pair.enforcement = contact.enforcement;
+  pair.augmentation_tolerance = contact.augmentation_tolerance;
+  pair.max_augmentations = contact.max_augmentations;
   return pair;
 }
 

@@ -58,6 +58,8 @@ void NumericsGauge::measure(const solver::PathPoint &point, const solver::Equili
       deepest = std::max(deepest, contact.penetration);
     row.emplace_back("penetration_mm", deepest);
   }
+  if (equilibrium.contacts().augmentation().n_shifts() > 0)
+    row.emplace_back("mean_penetration_mm", point.newton.mean_penetration);
   row.emplace_back("dissipated_share", point.dissipated_share);
   row.emplace_back("kinetic_share", point.kinetic_share);
 }

@@ -29,8 +29,8 @@ private:
 };
 
 /// How the step was found: negative_eigenvalues and, with a cavity, negative_eigenvalues_held_volume,
-/// newton_iterations, factorisations and cuts since the last step, residual, penetration_mm, dissipated_share,
-/// kinetic_share.
+/// newton_iterations, factorisations and cuts since the last step, residual, penetration_mm, with augmented contact
+/// mean_penetration_mm, dissipated_share, kinetic_share.
 class NumericsGauge : public Gauge
 {
 public:

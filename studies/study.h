@@ -72,6 +72,9 @@ struct ContactDefaults {
   double elastic_slip = 0.03, viscous_velocity = 100, point_spacing = 0.35; // mm, mm/s, mm
   int points_per_side = 8, passes = 2;
   std::vector<std::string> self = {"backbone", "balloon"};
+  solver::Enforcement enforcement = solver::Enforcement::penalty;
+  double augmentation_tolerance = 0.01; // mm
+  int max_augmentations = 10;
 
   template <class Self, class Visitor>
   static void fields(Self &self, Visitor &v)
@@ -97,6 +100,7 @@ struct ContactDefaults {
     v.quantity("penetration_limit", self.penetration_limit, "mm", 0, 10, "a step that ends deeper is rejected");
     v.words("self", self.self, {"backbone", "balloon"},
             "parts that may touch themselves: ribs, folds, head and base each other; the balloon's folds and domes");
+    solver::augmentation_fields(self, v);
   }
 };
 

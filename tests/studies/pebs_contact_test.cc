@@ -184,3 +184,23 @@ TEST_CASE("the reduced model knows no rigid bodies")
   INFO(run.text);
   CHECK(run.text.find("rigid") != std::string::npos);
 }
+
+TEST_CASE("pebs contact: all pairs are enforced as the block says, by the penalty if it says nothing")
+{
+  Study study = short_backbone();
+  study.actuator.pebs.with_balloon = true;
+  study.actuator.pebs.balloon.length = 18;
+  study.contact.self = {"backbone", "balloon"};
+  for (const auto &pair : built(study).parameters.contact_pairs)
+    CHECK(pair.enforcement == solver::Enforcement::penalty);
+  study.contact.enforcement = solver::Enforcement::augmented_lagrangian;
+  study.contact.augmentation_tolerance = 0.02;
+  study.contact.max_augmentations = 3;
+  const SimulationModel model = built(study);
+  CHECK(model.parameters.contact_pairs.size() == 3);
+  for (const auto &pair : model.parameters.contact_pairs) {
+    CHECK(pair.enforcement == solver::Enforcement::augmented_lagrangian);
+    CHECK(pair.augmentation_tolerance == 0.02);
+    CHECK(pair.max_augmentations == 3);
+  }
+}
