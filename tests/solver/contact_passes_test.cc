@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "solver/contact_pair_patches.h"
 #include "solver/contact_quadrature.h"
 #include "solver/simulation.h"
 #include "tests/support/contact_scene.h"
@@ -57,6 +58,22 @@ TEST_CASE("points of a trimmed patch lie on its edges and corners and carry the 
         if (points[k].xi[1] == points[k - 1].xi[1])
           CHECK((position(points[k]) - position(points[k - 1])).norm() < 0.33);
     }
+}
+
+TEST_CASE("points of a primary surface lie as close as the pair asks, by default half its thickness")
+{
+  ContactScene scene = interior_scene();
+  scene.pair.passes = 2;
+  auto primary_points = [&](double spacing) {
+    scene.pair.point_spacing = spacing;
+    std::size_t count = 0;
+    for (const contact::Patch &patch : contact::patches_of_pair(scene.mesh, scene.pair))
+      count += patch.depth > 0 ? patch.points.size() : 0;
+    return count;
+  };
+  CHECK(primary_points(0) == primary_points(scene.pair.thickness / 2));
+  CHECK(primary_points(scene.pair.thickness / 4) > 2 * primary_points(0));
+  CHECK(primary_points(scene.pair.thickness) < primary_points(0));
 }
 
 TEST_CASE("where the surface goes on no point lies on the common side of two patches")

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "tests/support/comparison.h"
 #include "tests/support/pressed_blocks.h"
+#include "tests/support/reaction.h"
 #include "tests/support/run_to_end.h"
 #include <catch2/catch.hpp>
 
@@ -58,12 +59,8 @@ TEST_CASE("augmented contact: patch test of two pressed blocks with a soft penal
   compare({case_of("mean pressure"), source, exact, -summary.primary_force[0][2] / (side * side), 1e-2, "MPa"});
   compare({case_of("pressure over that of the penalty alone"), "at least 1.3, else the case shows nothing", 1.3,
            exact / penalty, 0, "1", Comparison::Kind::at_least});
-  const auto forces = equilibrium.reactions(state);
-  double below = 0, above = 0;
-  for (const auto node : surface_nodes(blocks.mesh, "lower.z0"))
-    below += forces[3 * node + 2];
-  for (const auto node : surface_nodes(blocks.mesh, "upper.z1"))
-    above += forces[3 * node + 2];
+  const double below = reaction(blocks.mesh, equilibrium, state, "lower.z0")[2];
+  const double above = reaction(blocks.mesh, equilibrium, state, "upper.z1")[2];
   compare({case_of("reaction over the area"), source, exact, below / (side * side), 1e-2, "MPa"});
   compare({case_of("sum of the reactions"), "equilibrium", 0, below + above, 1e-10, "N", Comparison::Kind::absolute});
 }

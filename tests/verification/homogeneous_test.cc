@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "tests/support/comparison.h"
+#include "tests/support/reaction.h"
 #include "tests/support/run_to_end.h"
 #include "tests/verification/affine_block.h"
 #include <algorithm>
@@ -67,11 +68,7 @@ double pulled(const std::vector<std::string> &moved, double stretch)
   parameters.newton = {.tolerance = 1e-9, .force_floor = 1e-3};
   Simulation simulation(parameters, mesh, MPI_COMM_SELF);
   run_to_end(simulation);
-  const auto forces = simulation.equilibrium().reactions(simulation.progress().state);
-  double sum = 0;
-  for (const auto node : surface_nodes(mesh, "x1"))
-    sum += forces[3 * node];
-  return sum;
+  return reaction(mesh, simulation.equilibrium(), simulation.progress().state, "x1")[0];
 }
 
 } // namespace

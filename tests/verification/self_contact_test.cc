@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "tests/support/box_mesh.h"
 #include "tests/support/comparison.h"
+#include "tests/support/reaction.h"
 #include "tests/support/run_to_end.h"
 #include <catch2/catch.hpp>
 
@@ -77,12 +78,9 @@ Closed close(const Mesh &mesh, const Parameters &parameters)
   Simulation simulation(parameters, mesh, MPI_COMM_SELF);
   run_to_end(simulation);
   const auto &state = simulation.progress().state;
-  const auto forces = simulation.equilibrium().reactions(state);
   Closed closed;
   closed.contact = simulation.equilibrium().contacts().summaries(state)[0];
-  for (const auto node : surface_nodes(mesh, "fold.x0"))
-    for (int d = 0; d < 3; ++d)
-      closed.reaction[d] += forces[3 * node + d];
+  closed.reaction = reaction(mesh, simulation.equilibrium(), state, "fold.x0");
   return closed;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "tests/verification/staged_assembly.h"
+#include "tests/support/reaction.h"
 #include <catch2/catch.hpp>
 
 namespace ballonet::tests
@@ -27,12 +28,7 @@ void StagedAssembly::step(double dt)
 
 Vector3 StagedAssembly::force_on(const std::string &surface) const
 {
-  const auto forces = equilibrium_->reactions(state);
-  Vector3 sum = {};
-  for (const auto node : surface_nodes(mesh_, surface))
-    for (int d = 0; d < 3; ++d)
-      sum[d] += forces[3 * node + d];
-  return sum;
+  return reaction(mesh_, *equilibrium_, state, surface);
 }
 
 Vector3 StagedAssembly::displacement_of(const std::string &surface) const
